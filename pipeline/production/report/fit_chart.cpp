@@ -10,22 +10,23 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr double page_width = 640.0;
-constexpr double plot_left = 84.0;
-constexpr double plot_right = page_width - 12.0;
-constexpr double plot_top = 18.0;
+constexpr double chart_width = 640.0;
+constexpr double chart_left = 84.0;
+constexpr double chart_right = chart_width - 12.0;
+constexpr double chart_top = 18.0;
 constexpr double curve_height = 72.0;
-constexpr double row_height = 9.0;
-constexpr double least_bar = 0.8;  // points; a single frame of a long recording would not be seen
+constexpr double gap_row_height = 9.0;
+constexpr double least_gap_width =
+    0.8;  // points; a single frame of a long recording would not be seen
 constexpr std::size_t most_rows = 60;
-constexpr int most_ticks = 8;
+constexpr int most_seconds_ticks = 8;
 constexpr int columns = 540;
 constexpr Colour missing_colour = from_hex(0x9c2a10);
 constexpr Colour filled_colour = from_hex(0xf0b640);
 constexpr Colour curve_colour = from_hex(0x2a62b8);
 
 /// Points with gaps within the clip.
-std::vector<const motion::FittedPoint*> rows_of(const motion::FitQuality& fit) {
+std::vector<const motion::FittedPoint*> points_with_gaps(const motion::FitQuality& fit) {
   const int frames = static_cast<int>(fit.frame_residual_mm.size());
   std::vector<const motion::FittedPoint*> rows;
   for (const motion::FittedPoint& point : fit.points) {
@@ -37,7 +38,7 @@ std::vector<const motion::FittedPoint*> rows_of(const motion::FitQuality& fit) {
   return rows;
 }
 
-struct Layout {
+struct FitLayout {
   Box curve;
   int frames = 1;
   double rate = 30.0;
@@ -54,7 +55,7 @@ double largest(const motion::FitQuality& fit) {
   return most;
 }
 
-void draw_axes(Canvas& canvas, const Layout& layout, double bottom) {
+void draw_fit_axes(Canvas& canvas, const FitLayout& layout, double bottom) {
   const TextStyle centred = {.size = 7.5, .colour = quiet_ink, .align = Align::centre};
   const TextStyle right = {.size = 7.5, .colour = quiet_ink, .align = Align::right};
   for (const double tick : axis_ticks(layout.most_mm, 3)) {
@@ -64,7 +65,7 @@ void draw_axes(Canvas& canvas, const Layout& layout, double bottom) {
     canvas.text({layout.curve.x - 4.0, y + 2.5}, fmt::format("{:g} mm", tick), right);
   }
   const double seconds = layout.frames / layout.rate;
-  for (const double tick : axis_ticks(seconds, most_ticks)) {
+  for (const double tick : axis_ticks(seconds, most_seconds_ticks)) {
     if (tick > seconds + 1e-9) continue;
     const double x = layout.x_of(tick * layout.rate);
     canvas.line({x, layout.curve.y}, {x, bottom}, {.width = 0.5, .colour = hairline});
@@ -74,12 +75,12 @@ void draw_axes(Canvas& canvas, const Layout& layout, double bottom) {
 }
 
 /// Without a line over frames in which no point was seen.
-void draw_curve(Canvas& canvas, const Layout& layout, const motion::FitQuality& fit) {
+void draw_curve(Canvas& canvas, const FitLayout& layout, const motion::FitQuality& fit) {
   const LineStyle style = {.width = 1.0, .colour = curve_colour};
   const int per_column = std::max(1, (layout.frames + columns - 1) / columns);
   std::vector<Point> line;
   const auto end_line = [&] {
-    if (line.size() == 1) line.push_back({line.front().x + least_bar, line.front().y});
+    if (line.size() == 1) line.push_back({line.front().x + least_gap_width, line.front().y});
     if (!line.empty()) canvas.polyline(line, style);
     line.clear();
   };
@@ -98,7 +99,7 @@ void draw_curve(Canvas& canvas, const Layout& layout, const motion::FitQuality& 
   end_line();
 }
 
-void draw_gaps(Canvas& canvas, const Layout& layout, const motion::FitQuality& fit,
+void draw_gaps(Canvas& canvas, const FitLayout& layout, const motion::FitQuality& fit,
                const motion::FittedPoint& point, double top) {
   canvas.text({layout.curve.x - 4.0, top + 7.0}, point.name,
               {.size = 7.0, .colour = quiet_ink, .align = Align::right, .max_width = 74.0});
@@ -107,18 +108,18 @@ void draw_gaps(Canvas& canvas, const Layout& layout, const motion::FitQuality& f
     const int past = std::min(gap.past - fit.first_frame, layout.frames);
     if (past <= first) continue;
     const double x = layout.x_of(first);
-    const double width = std::max(layout.x_of(past) - x, least_bar);
-    const Box bar = gap.filled ? Box{x, top + 2.5, width, row_height - 5.0}
-                               : Box{x, top + 1.0, width, row_height - 2.0};
+    const double width = std::max(layout.x_of(past) - x, least_gap_width);
+    const Box bar = gap.filled ? Box{x, top + 2.5, width, gap_row_height - 5.0}
+                               : Box{x, top + 1.0, width, gap_row_height - 2.0};
     canvas.fill(bar, gap.filled ? filled_colour : missing_colour);
   }
 }
 
-void draw_legend(Canvas& canvas, bool has_gaps) {
+void draw_fit_legend(Canvas& canvas, bool has_gaps) {
   const TextStyle style = {.size = 7.5, .colour = quiet_ink};
-  canvas.text({plot_left, 10.0}, "distance from the points (RMS of each frame)", style);
+  canvas.text({chart_left, 10.0}, "distance from the points (RMS of each frame)", style);
   if (!has_gaps) return;
-  double x = plot_right - canvas.text_width("missing", style);
+  double x = chart_right - canvas.text_width("missing", style);
   canvas.text({x, 10.0}, "missing", style);
   canvas.fill(Box{x - 17.0, 4.0, 13.0, 7.0}, missing_colour);
   x -= 28.0 + canvas.text_width("filled", style);
@@ -129,26 +130,27 @@ void draw_legend(Canvas& canvas, bool has_gaps) {
 }  // namespace
 
 Plot fit_chart(const motion::FitQuality& fit) {
-  const std::size_t rows = rows_of(fit).size();
-  const double below = plot_top + curve_height;
-  const double bottom = below + 6.0 + row_height * static_cast<double>(std::min(rows, most_rows)) +
-                        (rows > most_rows ? row_height : 0.0);
-  Plot plot{"Fit over time", page_width, bottom + 16.0, {}};
+  const std::size_t rows = points_with_gaps(fit).size();
+  const double below = chart_top + curve_height;
+  const double bottom = below + 6.0 +
+                        gap_row_height * static_cast<double>(std::min(rows, most_rows)) +
+                        (rows > most_rows ? gap_row_height : 0.0);
+  Plot plot{"Fit over time", chart_width, bottom + 16.0, {}};
   // The rows point into the plot's own copy of the fit.
   plot.draw = [fit, bottom, below](Canvas& canvas) {
-    const std::vector<const motion::FittedPoint*> shown = rows_of(fit);
-    draw_legend(canvas, !shown.empty());
-    const Layout layout = {{plot_left, plot_top, plot_right - plot_left, curve_height},
-                           std::max(static_cast<int>(fit.frame_residual_mm.size()), 1),
-                           fit.frames_per_second,
-                           1.1 * largest(fit)};
-    draw_axes(canvas, layout, bottom);
+    const std::vector<const motion::FittedPoint*> shown = points_with_gaps(fit);
+    draw_fit_legend(canvas, !shown.empty());
+    const FitLayout layout = {{chart_left, chart_top, chart_right - chart_left, curve_height},
+                              std::max(static_cast<int>(fit.frame_residual_mm.size()), 1),
+                              fit.frames_per_second,
+                              1.1 * largest(fit)};
+    draw_fit_axes(canvas, layout, bottom);
     if (!fit.frame_residual_mm.empty()) draw_curve(canvas, layout, fit);
     double top = below + 6.0;
-    for (std::size_t i = 0; i < std::min(shown.size(), most_rows); ++i, top += row_height)
+    for (std::size_t i = 0; i < std::min(shown.size(), most_rows); ++i, top += gap_row_height)
       draw_gaps(canvas, layout, fit, *shown[i], top);
     if (shown.size() > most_rows)
-      canvas.text({plot_left, top + 7.0},
+      canvas.text({chart_left, top + 7.0},
                   fmt::format("and {} more points with gaps", shown.size() - most_rows),
                   {.size = 7.0, .colour = quiet_ink});
   };

@@ -64,6 +64,15 @@ TEST(RecordedPoints, LieOnTheClipThatWasFittedToThem) {
             1e-9);
 }
 
+TEST(RecordedPoints, AreRaisedToTheFloorWithTheBody) {
+  PointRecording points = recorded(truth(), canonical_joints());
+  for (Vec3& position : points.positions) position.y() -= 0.4;
+  const RecordedPoints result = recorded_points(points);
+  ASSERT_TRUE(result.fit);
+  EXPECT_NEAR(result.fit->raised, 0.4, 0.03);
+  EXPECT_LT(largest_distance(clip_of(result.recording), *result.recording.markers), 0.015);
+}
+
 TEST(RecordedPoints, OfAChildKeepTheirSize) {
   const Clip child = truth({}, 60.0, standard_body(1.0));
   const Clip clip = clip_of(recorded_points(recorded(child, canonical_joints())).recording);

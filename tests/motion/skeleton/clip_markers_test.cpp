@@ -162,6 +162,20 @@ TEST(ClipMarkers, ThatWereFilledInAreStillToldApart) {
   EXPECT_TRUE(markers.filled[markers.at(30, 0)]);  // at frame 50 of 100 per second
 }
 
+TEST(ClipMarkers, BetweenASeenFrameAndAnotherAreAsTheOther) {
+  constexpr int before = 25, after = 35;  // at frames 41.7 and 58.3 of 100 per second
+  const Clip missing = resampled(with_gap(marked_walk(), 0, 42, 58), 60.0);
+  const Clip filled = resampled(with_gap(marked_walk(), 0, 42, 58, true), 60.0);
+  for (const int frame : {before, after}) {
+    const std::size_t index = markers_of(missing)->at(frame, 0);
+    EXPECT_FALSE(markers_of(missing)->is_known(index)) << frame;
+    EXPECT_FALSE(markers_of(filled)->seen[index]) << frame;
+    EXPECT_TRUE(markers_of(filled)->filled[index]) << frame;
+  }
+  EXPECT_TRUE(markers_of(missing)->seen[markers_of(missing)->at(before - 1, 0)]);
+  EXPECT_TRUE(markers_of(missing)->seen[markers_of(missing)->at(after + 1, 0)]);
+}
+
 TEST(ClipMarkers, AloneMoveAJointInTheirCentre) {
   const Clip marked = with_gap(marked_walk(), 2, 0, 10);
   const Clip clip = clip_of_markers("points", 100.0, *marked.markers);

@@ -99,7 +99,12 @@ TEST_F(MarkerDots, AreDarkInGaps) {
   for (std::size_t f = 0; f < 60; ++f) {
     EXPECT_EQ(shown[left_ankle].is_shown(f), f < 10 || f > 19) << f;
     EXPECT_TRUE(shown[head].is_shown(f));
-    EXPECT_GT(shown[left_ankle].path[f].z(), -2.0);  // nothing is drawn towards the origin
+  }
+  // Nothing is drawn towards the zero that stands in the gap.
+  const motion::Vec3 before = shown[left_ankle].path[9], after = shown[left_ankle].path[20];
+  for (std::size_t f = 10; f < 20; ++f) {
+    const motion::Vec3 at = shown[left_ankle].path[f];
+    EXPECT_LT((at - before).norm() + (at - after).norm(), (after - before).norm() + 0.1) << f;
   }
   options.fills_gaps = true;  // this gap was not
   EXPECT_EQ(dark_frames(dots()[left_ankle]), 10);
@@ -118,6 +123,19 @@ TEST_F(MarkerDots, AreShownInGapsThatWereFilledInIfWanted) {
   options.fills_gaps = false;
   EXPECT_DOUBLE_EQ(marker_counts(clip, options).dark_share, 10.0 / 360.0);
   EXPECT_DOUBLE_EQ(marker_counts(clip, options).filled_share, 0.0);
+}
+
+TEST_F(MarkerDots, HaveAPlaceInThePictureOnlyWhileTheyAreLit) {
+  clip = test::with_gap(clip, left_ankle, 10, 19, true);
+  const auto count_at = [&](std::size_t frame) {
+    return marker_places(clip, options)[frame].size();
+  };
+  EXPECT_EQ(count_at(9), 6u);
+  EXPECT_EQ(count_at(10), 5u);
+  options.fills_gaps = true;
+  EXPECT_EQ(count_at(10), 6u);
+  options.show = {"R*"};
+  EXPECT_EQ(count_at(10), 2u);
 }
 
 TEST_F(MarkerDots, ThatAreMissingThroughoutAreNotInvented) {
@@ -206,6 +224,12 @@ std::size_t dots_in(const render::Scene& scene) {
 
 TEST_F(MarkerDots, AndTheirSticksAreAbsentFromTheSceneWhereTheyAreDark) {
   clip = test::with_gap(clip, left_ankle, 10, 19, false);
+  for (const auto& pair : {std::array<std::string, 2>{"LANK", "LKNE"}, {"LKNE", "LANK"}}) {
+    options.pairs = {pair};
+    const Shot one = shot_with(clip, options);
+    EXPECT_EQ(scene_at(one, 9).solids.round_cones.size(), 1u) << pair[0];
+    EXPECT_EQ(scene_at(one, 10).solids.round_cones.size(), 0u) << pair[0];
+  }
   options.pairs = {{"LANK", "LKNE"}, {"RANK", "RKNE"}};
   const Shot shot = shot_with(clip, options);
   EXPECT_EQ(dots_in(scene_at(shot, 9)), 6u);
