@@ -9,6 +9,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::pipeline {
