@@ -12,7 +12,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/gzip_text.h"
-#include "motion/formats/motion_file.h"
+#include "motion/formats/motion_format.h"
 #include "motion/formats/small_files.h"
 #include "motion/refusal.h"
 #include "motion/text/excerpt.h"
