@@ -19,9 +19,9 @@ using nlohmann::json;
 using Numbers = std::vector<double>;
 using Ints = std::vector<std::int32_t>;
 
-Numbers numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Numbers fbx_numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Numbers numbers_of(const Eigen::Affine3d& transform) {
+Numbers fbx_numbers_of(const Eigen::Affine3d& transform) {
   const Eigen::Matrix4d matrix = transform.matrix();
   return {matrix.data(), matrix.data() + 16};
 }
@@ -100,11 +100,12 @@ struct Writer {
       models[n] = fbx.model(
           gltf.model.nodes[n].name, has_mesh ? "Mesh" : "LimbNode",
           parent < 0 ? armature : models[static_cast<size_t>(parent)],
-          numbers_of(Vec3(how.units_per_metre * at.translation)),
+          fbx_numbers_of(Vec3(how.units_per_metre * at.translation)),
           {FbxSceneBuilder::property("Lcl Rotation", degrees_of(at.rotation)),
-           FbxSceneBuilder::property("Lcl Scaling", numbers_of(at.scale)),
-           FbxSceneBuilder::property("GeometricTranslation", numbers_of(how.geometric_translation)),
-           FbxSceneBuilder::property("GeometricRotation", numbers_of(how.geometric_degrees)),
+           FbxSceneBuilder::property("Lcl Scaling", fbx_numbers_of(at.scale)),
+           FbxSceneBuilder::property("GeometricTranslation",
+                                     fbx_numbers_of(how.geometric_translation)),
+           FbxSceneBuilder::property("GeometricRotation", fbx_numbers_of(how.geometric_degrees)),
            FbxSceneBuilder::property("GeometricScaling", Numbers(3, how.geometric_scale))});
     }
   }
@@ -161,10 +162,10 @@ struct Writer {
       to_bone.translation() *= how.units_per_metre;
       std::vector<FbxTestNode> parts = {{"Indexes", {vertices}, {}},
                                         {"Weights", {shares}, {}},
-                                        {"Transform", {numbers_of(to_bone)}, {}}};
+                                        {"Transform", {fbx_numbers_of(to_bone)}, {}}};
       if (how.states_bind_pose) {
         parts.push_back(
-            {"TransformLink", {numbers_of(Eigen::Affine3d(top() * to_bone.inverse()))}, {}});
+            {"TransformLink", {fbx_numbers_of(Eigen::Affine3d(top() * to_bone.inverse()))}, {}});
       }
       const std::int64_t cluster = fbx.add("Deformer", "", "Cluster", std::move(parts));
       fbx.connect(cluster, deformer);

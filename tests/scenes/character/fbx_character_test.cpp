@@ -32,11 +32,11 @@ using test::FbxTestNode;
 using test::SkinnedGltf;
 namespace fs = std::filesystem;
 
-const motion::Skeleton standard = motion::standard_body();
+const motion::Skeleton standard_rig = motion::standard_body();
 
 /// A figure whose texture is all of its colour, as in FBX.
 SkinnedGltf figure_in_colour() {
-  SkinnedGltf file = test::skinned_gltf(standard, {{}, test::mixamo_names()});
+  SkinnedGltf file = test::skinned_gltf(standard_rig, {{}, test::mixamo_names()});
   file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1.0, 1.0, 1.0, 1.0};
   return file;
 }
@@ -123,7 +123,7 @@ void expect_same_picture(const Character& one, const Character& other, float tol
   }
 }
 
-Character worn(Character character) { return scaled_to_body(std::move(character), standard); }
+Character worn(Character character) { return scaled_to_body(std::move(character), standard_rig); }
 
 TEST(AnFbxCharacter, IsTheSameAsItsGltf) {
   const std::string gltf = figure_in_colour().text();

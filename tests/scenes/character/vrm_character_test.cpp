@@ -15,7 +15,7 @@ using motion::Quat;
 using motion::Vec3;
 using test::SkinnedGltf;
 
-const motion::Skeleton standard = motion::standard_body();
+const motion::Skeleton vrm_body = motion::standard_body();
 
 enum class Version { vrm_0, vrm_1 };
 
@@ -27,7 +27,7 @@ SkinnedGltf vrm_figure(Version version) {
     options.bind.rotations[0] = Quat(Eigen::AngleAxisd(motion::pi, Vec3(Vec3::UnitY())));
   for (int j = 0; j < motion::body_joint_count; ++j)
     options.names.emplace_back(motion::name_of(motion::mirrored(motion::BodyJoint(j))));
-  SkinnedGltf file = test::skinned_gltf(standard, options);
+  SkinnedGltf file = test::skinned_gltf(vrm_body, options);
   nlohmann::json& extensions = file.json["extensions"];
   const std::vector<std::string> names = test::vrm_names();
   if (version == Version::vrm_0) {
@@ -49,13 +49,13 @@ SkinnedGltf vrm_figure(Version version) {
 TEST(AVrmCharacter, FollowsTheBodyWhereverItsFileFaces) {
   for (const Version version : {Version::vrm_0, Version::vrm_1}) {
     const Character character =
-        scaled_to_body(parse_character(vrm_figure(version).text(), "figure.vrm"), standard);
+        scaled_to_body(parse_character(vrm_figure(version).text(), "figure.vrm"), vrm_body);
     ASSERT_EQ(character.meshes.size(), 2u);
     motion::Pose pose;
     pose.root_position = Vec3(0.1, 1.0, 0.2);
     for (int j = 0; j < motion::body_joint_count; ++j)
       pose.rotations.push_back(motion::exp(Vec3(0.02 * j, 0.3 - 0.03 * j, 0.1)));
-    const motion::JointTransforms expected = motion::world_transforms(standard, pose);
+    const motion::JointTransforms expected = motion::world_transforms(vrm_body, pose);
     const motion::JointTransforms rig = rig_pose(character, pose);
     for (size_t j = 0; j < expected.positions.size(); ++j) {
       EXPECT_EQ(character.joints[j].found_by, "name");
