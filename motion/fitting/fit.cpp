@@ -159,8 +159,7 @@ void warn_of_exchanged_sides(const BodyTracks& tracks, FittedMotion& fitted) {
       const auto& end = tracks.joints[toe][frame];
       const auto& start = tracks.joints[body_parents[toe]][frame];
       if (!left || !end || !start) continue;
-      const auto& up = tracks.pelvis_up[frame];
-      ++(left->cross(up.value_or(Vec3::UnitY())).dot(*end - *start) > 0.0 ? ahead : behind);
+      ++(left->cross(Vec3::UnitY()).dot(*end - *start) > 0.0 ? ahead : behind);
     }
   }
   if (behind <= ahead) return;
@@ -219,8 +218,6 @@ double floor_below_ankles(const Clip& clip) {
 void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
   const bool has_feet = is_known(tracks.joints[LeftToe]) || is_known(tracks.joints[RightToe]);
   const double floor = has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip);
-  constexpr double most = 0.25;  // metres; feet farther from the lowest points are in the air
-  if (std::abs(floor) > most) return;
   fitted.raised = -floor;
   for (Pose& pose : fitted.clip.poses) pose.root_position.y() += fitted.raised;
 }
@@ -260,7 +257,7 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
     if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);
   }
   add_notes(recording, range, fitted);
-  warn_of_exchanged_sides(tracks, fitted);
+  if (!fitted.axes.is_up_by_floor) warn_of_exchanged_sides(tracks, fitted);
   warn_of_parts_at_rest(tracks, fitted);
   warn_of_residuals(fitted);
   return fitted;

@@ -10,9 +10,8 @@ namespace mien::motion {
 
 namespace {
 
-constexpr int least_steps = 3;
-constexpr int most_steps = 15;
-constexpr double settled = 0.005;           // radians or metres
+constexpr int usual_steps = 3;
+constexpr int steps_of_hidden_points = 15;
 constexpr double point_deviation = 0.010;   // metres
 constexpr double far_point = 0.030;         // metres
 constexpr double given_turn = 0.5;          // radians
@@ -93,6 +92,21 @@ Pose moved(const Skeleton& body, const JointTransforms& world, const Pose& pose,
   return result;
 }
 
+/// Frames in which a point is hidden that others of the recording show: there the first poses may
+/// be far from the points.
+std::vector<bool> frames_with_hidden_points(const PointTracks& points,
+                                            std::span<const Attachment> attached,
+                                            std::size_t frame_count, const FrameRange& range) {
+  std::vector<bool> is_hidden(frame_count, false);
+  for (std::size_t i = 0; i < frame_count; ++i) {
+    is_hidden[i] = std::ranges::any_of(attached, [&](const Attachment& attachment) {
+      const int frame = range.first + static_cast<int>(i);
+      return !points.recording.seen[points.recording.at(frame, attachment.point)];
+    });
+  }
+  return is_hidden;
+}
+
 }  // namespace
 
 std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& body,
@@ -101,11 +115,11 @@ std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& 
   const double frame_seconds = 1.0 / points.recording.frames_per_second;
   const double smooth = std::max(least_smooth_turn, acceleration * frame_seconds * frame_seconds);
   std::vector<Pose> current = poses;
-  std::vector<bool> is_settled(poses.size(), false);
-  for (int step = 0; step < most_steps; ++step) {
+  const std::vector<bool> is_far = frames_with_hidden_points(points, attached, poses.size(), range);
+  for (int step = 0; step < steps_of_hidden_points; ++step) {
     std::vector<Pose> next = current;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      if (step >= least_steps && is_settled[i]) continue;
+      if (step >= usual_steps && !is_far[i]) continue;
       const Pose& pose = current[i];
       const JointTransforms world = world_transforms(body, pose);
       Equations equations;
@@ -123,9 +137,7 @@ std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& 
         add_reference(body, world, pose, interpolate(current[i - 1], current[i + 1], 0.5), smooth,
                       smooth, equations);
       }
-      const Eigen::MatrixXd change = solve_symmetric(equations.normal, equations.right);
-      is_settled[i] = change.cwiseAbs().maxCoeff() < settled;
-      next[i] = moved(body, world, pose, change);
+      next[i] = moved(body, world, pose, solve_symmetric(equations.normal, equations.right));
     }
     current = std::move(next);
   }

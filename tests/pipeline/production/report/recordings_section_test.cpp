@@ -46,7 +46,7 @@ motion::PointRecording faulty_points() {
 
 class RecordingsSection : public testing::Test {
  protected:
-  RecordingsSection() { motion::write_trc(faulty_points(), folder.path() / "walk.trc"); }
+  RecordingsSection() { write_file(folder.path() / "walk.trc", motion::to_trc(faulty_points())); }
 
   Manifest manifest(const std::string& terms = "") const {
     const fs::path file = folder.path() / "m.yaml";
