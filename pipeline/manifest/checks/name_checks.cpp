@@ -84,9 +84,10 @@ void check_unique(const std::string& id, const std::string& path, TakenIds& take
   }
 }
 
-/// The videos and motion files of a film, as they are named.
+/// The videos and motion files of a film, as they are named; none if its id cannot be a name.
 Names file_names(const Stimulus& film) {
   Names names;
+  if (film.id.empty() || !motion::fault_of_name(film.id).empty()) return names;
   for (const render::VideoKind kind : film.output.video)
     names.push_back("video " + render::with_ending(film.id, kind).string());
   for (const std::string& ending : film.output.clips)

@@ -86,7 +86,7 @@ TEST_F(Takes, OfFilesThatHoldOneMotionAreRefusedWhereTheyStand) {
 
 TEST_F(Takes, OfSmplMotionsHaveTheBodyOfTheirModel) {
   const motion::Clip walk = motion::builtin_examples("walks-10").examples[0].clip;
-  motion::write_amass_npz(motion::to_recording(walk), folder_.path() / "walk.npz");
+  motion::write_motion(motion::to_recording(walk), folder_.path() / "walk.npz");
   write_file(folder_.path() / "tall.npz", test::smpl_model_of_size(1.1));
   const auto leg = [&](const std::string& more) {
     return motion::leg_length(motion_of("{id: a, clip: {file: walk.npz" + more + "}}").body);
@@ -105,7 +105,7 @@ TEST_F(Takes, OfSmplMotionsHaveTheBodyOfTheirModel) {
 // What is made depends on the model's contents, which are among the inputs of the study.
 TEST_F(Takes, OfSmplMotionsDependOnTheirModel) {
   const motion::Clip walk = motion::builtin_examples("walks-10").examples[0].clip;
-  motion::write_amass_npz(motion::to_recording(walk), folder_.path() / "walk.npz");
+  motion::write_motion(motion::to_recording(walk), folder_.path() / "walk.npz");
   std::set<std::string> hashes, keys;
   for (const double size : {0.9, 1.1}) {
     write_file(folder_.path() / "model.npz", test::smpl_model_of_size(size));

@@ -635,9 +635,9 @@ void write_variant_files(const std::filesystem::path& folder) {
       if (std::string(name) == "two") clip.poses.pop_back();
       motion::write_motion(motion::to_recording(clip), folder / name / (label + ".bvh"));
       std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
-      motion::write_amass_npz(motion::to_recording(clip), folder / "smpl" / (label + ".npz"));
+      motion::write_motion(motion::to_recording(clip), folder / "smpl" / (label + ".npz"));
       std::ofstream(folder / "nameless" / (label + ".npz")) << nameless(clip);
-      motion::write_trc(as_markers(clip), folder / (label + ".trc"));
+      std::ofstream(folder / (label + ".trc")) << motion::to_trc(as_markers(clip));
     }
   }
   std::ofstream(folder / "takes.gltf")
