@@ -148,7 +148,8 @@ TEST(RecordedPoints, OfSeveralPeopleGiveTheBodyOfOne) {
   EXPECT_EQ(result.fit->points[1].use, PointUse::used);
   EXPECT_EQ(result.fit->points[1].name, "Ann:" + alone.points[0]);
   const auto told = std::ranges::find_if(result.recording.notes, [](const std::string& note) {
-    return note.find("The body is fitted to the points of \"Ann\", one of 3 people") != std::string::npos;
+    return note.find("The body is fitted to the points of \"Ann\", one of 3 people") !=
+           std::string::npos;
   });
   EXPECT_NE(told, result.recording.notes.end());
 }
