@@ -1,7 +1,10 @@
 #include "pipeline/manifest/example_files.h"
 
+#include <set>
+
 #include "motion/formats/motion_format.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/text/compressed_file.h"
 
 namespace mien::pipeline {
 
@@ -43,16 +46,22 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest) {
   for (const std::string& name : example_names(manifest)) rated.push_back({name, ""});
   if (!manifest.examples.builtin.empty() || manifest.examples.folder.empty()) return rated;
   const auto files = motion::example_files(example_folder(manifest.examples));
-  for (size_t i = 0; i < files.size(); ++i) rated[i].file_stem = files[i].stem().string();
+  for (size_t i = 0; i < files.size(); ++i) rated[i].file_stem = motion::recording_name(files[i]);
   return rated;
 }
 
 std::vector<std::string> stems_in_folder(const Examples& examples) {
-  std::vector<std::string> stems;
-  if (!examples.builtin.empty() || examples.folder.empty()) return stems;
-  for (const auto& file : motion::example_files({.path = examples.folder}))
-    stems.push_back(file.stem().string());
-  return stems;
+  if (!examples.builtin.empty() || examples.folder.empty()) return {};
+  motion::ExampleFolder selected = example_folder(examples);
+  selected.exclude.clear();
+  std::set<std::string> stems;
+  for (const auto& file : motion::example_files(selected))
+    stems.insert(motion::recording_name(file));
+  for (const auto& entry : std::filesystem::directory_iterator(examples.folder)) {
+    if (entry.is_regular_file() && motion::is_found_as_motion(entry.path()))
+      stems.insert(motion::recording_name(entry.path()));
+  }
+  return {stems.begin(), stems.end()};
 }
 
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file) {

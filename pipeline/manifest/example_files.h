@@ -14,8 +14,7 @@ namespace mien::pipeline {
 motion::ExampleFolder example_folder(const Examples& examples);
 
 /// Returns the files of the repertoire: those of the examples, their SMPL model, their ratings and
-/// their scales,
-/// which determine every clip made from the examples.
+/// their scales, which determine every clip made from the examples.
 std::vector<std::filesystem::path> repertoire_files(const Manifest& manifest);
 
 /// Returns the names of the examples, without reading a motion. Throws Error.
@@ -25,7 +24,8 @@ std::vector<std::string> example_names(const Manifest& manifest);
 /// Throws Error.
 std::vector<RatedExample> rated_examples(const Manifest& manifest);
 
-/// Returns the stems of all motion files in the examples' folder, selected or not. Throws Error.
+/// Returns the names of all motion files in the examples' folder without their endings, sorted:
+/// those that `include` matches and those that are motions by their ending. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
 /// Returns the companion files to which a motion file may refer: all files in its folder with the

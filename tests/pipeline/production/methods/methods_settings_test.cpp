@@ -48,6 +48,7 @@ bool is_of_films(const std::string& path) {
   // nothing is unknown of them.
   if (path.starts_with("examples.expect")) return false;
   if (path == "examples.ratings" || path == "examples.unknown") return false;
+  if (path.ends_with(".licence.share")) return false;  // of archives
   for (const char* start :
        {"look", "output", "interpolation", "examples", "stimuli[].look", "stimuli[].output",
         "stimuli[].interpolation", "overlays[].look", "overlays[].output"}) {

@@ -62,7 +62,7 @@ constexpr char with_points[] =
 constexpr char with_graph[] =
     R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_markers[] =
-    R"({"stimuli": [{"id": "a", "weights": null, "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
+    R"({"stimuli": [{"id": "a", "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
