@@ -52,19 +52,19 @@ constexpr auto fits_columns = table_of<FitRow>(
      {"point", "", "name of the point", [](auto& r) { return r.point.name; }},
      {"place", "", "place on the body; empty if the name is not one of the set",
       [](auto& r) { return r.point.role; }},
-     {"use", "", "used, missing (in all frames) or unknown (not one of the set)", use_of},
+     {"use", "", "used, missing (in all frames) or unknown (not one of the set)",
+      [](auto& r) { return use_of(r); }},
      {"rms_mm", "mm",
       "root mean square distance from the body in the frames in which the point was recorded; "
-      "empty "
-      "unless used",
+      "empty unless used",
       [](auto& r) { return r.is_used() ? std::optional(r.point.residual_mm) : std::nullopt; }},
      {"filled_gaps", "", "number of gaps that were interpolated for the fit",
       [](auto& r) { return r.gaps(true).first; }},
      {"filled_s", "s", "their total duration",
       [](auto& r) { return r.gaps(true).second / r.frames_per_second; }},
      {"missing_gaps", "",
-      "number of gaps that were not filled, because of their length or because "
-      "they are at the start or end",
+      "number of gaps that were not filled, because of their length or because they are at the "
+      "start or end",
       [](auto& r) { return r.gaps(false).first; }},
      {"missing_s", "s", "their total duration",
       [](auto& r) { return r.gaps(false).second / r.frames_per_second; }}});
