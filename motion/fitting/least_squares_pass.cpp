@@ -11,7 +11,7 @@ namespace mien::motion {
 namespace {
 
 constexpr int usual_steps = 3;
-constexpr int steps_of_hidden_points = 15;
+constexpr int most_steps = 15;
 constexpr double point_deviation = 0.010;   // metres
 constexpr double far_point = 0.030;         // metres
 constexpr double given_turn = 0.5;          // radians
@@ -92,21 +92,6 @@ Pose moved(const Skeleton& body, const JointTransforms& world, const Pose& pose,
   return result;
 }
 
-/// Frames in which a point is hidden that others of the recording show: there the first poses may
-/// be far from the points.
-std::vector<bool> frames_with_hidden_points(const PointTracks& points,
-                                            std::span<const Attachment> attached,
-                                            std::size_t frame_count, const FrameRange& range) {
-  std::vector<bool> is_hidden(frame_count, false);
-  for (std::size_t i = 0; i < frame_count; ++i) {
-    is_hidden[i] = std::ranges::any_of(attached, [&](const Attachment& attachment) {
-      const int frame = range.first + static_cast<int>(i);
-      return !points.recording.seen[points.recording.at(frame, attachment.point)];
-    });
-  }
-  return is_hidden;
-}
-
 }  // namespace
 
 std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& body,
@@ -115,23 +100,29 @@ std::vector<Pose> least_squares_pass(const PointTracks& points, const Skeleton& 
   const double frame_seconds = 1.0 / points.recording.frames_per_second;
   const double smooth = std::max(least_smooth_turn, acceleration * frame_seconds * frame_seconds);
   std::vector<Pose> current = poses;
-  const std::vector<bool> is_far = frames_with_hidden_points(points, attached, poses.size(), range);
-  for (int step = 0; step < steps_of_hidden_points; ++step) {
+  std::vector<bool> is_hard(poses.size(), true);
+  for (int step = 0; step < most_steps; ++step) {
     std::vector<Pose> next = current;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      if (step >= usual_steps && !is_far[i]) continue;
+      if (!is_hard[i]) continue;
       const Pose& pose = current[i];
       const JointTransforms world = world_transforms(body, pose);
       Equations equations;
+      bool is_hidden = false;
+      double farthest = 0.0;
       for (const Attachment& attachment : attached) {
         const std::size_t at =
             points.recording.at(range.first + static_cast<int>(i), attachment.point);
+        is_hidden = is_hidden || !points.recording.seen[at];
         if (!points.recording.seen[at]) continue;
         const Vec3 place = world.positions[attachment.joint] +
                            world.rotations[attachment.joint] * attachment.place;
-        add_point(world, attachment.joint, place, place - points.recording.positions[at],
-                  equations);
+        const Vec3 off = place - points.recording.positions[at];
+        farthest = std::max(farthest, off.norm());
+        add_point(world, attachment.joint, place, off, equations);
       }
+      if (step == usual_steps) is_hard[i] = is_hidden || farthest > far_point;
+      if (!is_hard[i]) continue;
       add_reference(body, world, pose, poses[i], given_turn, given_way, equations);
       if (i > 0 && i + 1 < poses.size()) {
         add_reference(body, world, pose, interpolate(current[i - 1], current[i + 1], 0.5), smooth,

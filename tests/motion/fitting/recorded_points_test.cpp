@@ -64,12 +64,12 @@ TEST(RecordedPoints, LieOnTheClipThatWasFittedToThem) {
             1e-9);
 }
 
-TEST(RecordedPoints, AreRaisedToTheFloorWithTheBody) {
+TEST(RecordedPoints, StandOnTheFloorWithTheBody) {
   PointRecording points = recorded(truth(), canonical_joints());
   for (Vec3& position : points.positions) position.y() -= 0.4;
   const RecordedPoints result = recorded_points(points);
   ASSERT_TRUE(result.fit);
-  EXPECT_NEAR(result.fit->raised, 0.4, 0.03);
+  EXPECT_NEAR(result.fit->axes.floor - result.fit->raised, -0.4, 0.03);
   EXPECT_LT(largest_distance(clip_of(result.recording), *result.recording.markers), 0.015);
 }
 

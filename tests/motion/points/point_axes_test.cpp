@@ -53,10 +53,12 @@ TEST(PointAxes, UpIsFoundFromLegsAlone) {
 }
 
 /// Someone who stands still, turned about the left-right axis so that `+Y` of the body becomes
-/// the direction (0, cos, sin), with the lowest point 2 cm above the floor.
+/// the direction (0, cos, sin), with the lowest point 2 cm above the floor, away from the origin.
 PointRecording still(double degrees) {
   Clip clip = truth();
-  clip.poses.assign(30, clip.poses.front());
+  Pose upright = clip.poses.front();
+  for (Quat& rotation : upright.rotations) rotation = Quat::Identity();
+  clip.poses.assign(30, upright);
   PointRecording recording = recorded(clip, plug_in_gait_markers());
   const Quat turn = exp(Vec3(degrees * radians_per_degree, 0, 0));
   double lowest = 1e9;
@@ -64,7 +66,7 @@ PointRecording still(double degrees) {
     p = turn * p;
     lowest = std::min(lowest, p.y());
   }
-  for (Vec3& p : recording.positions) p.y() += 0.02 - lowest;
+  for (Vec3& p : recording.positions) p += Vec3(0.5, 0.02 - lowest, 2.5);
   return recording;
 }
 

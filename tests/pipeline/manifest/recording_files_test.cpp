@@ -95,9 +95,9 @@ TEST_F(RecordingFiles, StatedInTwoWaysAreAFault) {
              "  - {id: c, clip: {file: ./c.bvh, licence: CC0, source: x}}\n"
              "  - {id: d, clip: {file: c.bvh, source: y}}\n"),
       (std::vector<std::string>{
-          "5:44: stimuli[1].clip.licence: c.bvh has the licence \"CC0\" in stimuli[0].clip; "
+          "5:42: stimuli[1].clip.licence: c.bvh has the licence \"CC0\" in stimuli[0].clip; "
           "state the same licence, or only one",
-          "7:43: stimuli[3].clip.source: c.bvh has the source \"x\" in stimuli[2].clip; state "
+          "7:41: stimuli[3].clip.source: c.bvh has the source \"x\" in stimuli[2].clip; state "
           "the same source, or only one"}));
 }
 

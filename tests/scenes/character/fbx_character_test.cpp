@@ -341,15 +341,17 @@ TEST(AnFbxCharacter, CarriesMeshesThatHangOnItsJoints) {
                         {FbxSceneBuilder::property("GeometricTranslation", {0, 30, 0})}));
   const Character character = worn(parse_character(fbx.binary(), "figure.fbx"));
   ASSERT_EQ(character.meshes.size(), 2u);
-  const motion::Pose pose = some_pose();
-  const motion::JointTransforms rig = rig_pose(character, pose);
   const auto head = static_cast<size_t>(character.joints[motion::Head].position);
-  const Vec3 expected = rig.positions[head] + rig.rotations[head] * Vec3(0, 0.3, 0);
-  const render::Mesh hat = posed(character, pose)[1];
-  float nearest = 1.0f;
-  for (const render::Vec3& p : hat.positions)
-    nearest = std::min(nearest, (p - expected.cast<float>()).norm());
-  EXPECT_LT(nearest, 1e-4f);
+  // The hat's corner at its origin, in the frame of the head.
+  const auto corner_in = [&](const motion::Pose& pose) -> Vec3 {
+    const motion::JointTransforms rig = rig_pose(character, pose);
+    const Vec3 corner = posed(character, pose)[1].positions[0].cast<double>();
+    return rig.rotations[head].conjugate() * (corner - rig.positions[head]);
+  };
+  motion::Pose at_rest = some_pose();
+  for (motion::Quat& rotation : at_rest.rotations) rotation = motion::Quat::Identity();
+  EXPECT_NEAR(corner_in(some_pose()).norm(), 0.3, 1e-4);
+  EXPECT_LT((corner_in(some_pose()) - corner_in(at_rest)).norm(), 1e-4);
 }
 
 TEST(AnFbxCharacter, ThatIsNoneIsRefused) {

@@ -106,6 +106,7 @@ TEST_F(Takes, OfSmplMotionsHaveTheBodyOfTheirModel) {
 TEST_F(Takes, OfSmplMotionsDependOnTheirModel) {
   const motion::Clip walk = motion::builtin_examples("walks-10").examples[0].clip;
   motion::write_motion(motion::to_recording(walk), folder_.path() / "walk.npz");
+  write_file(folder_.path() / "m.yaml", "mien: 1\n");
   std::set<std::string> hashes, keys;
   for (const double size : {0.9, 1.1}) {
     write_file(folder_.path() / "model.npz", test::smpl_model_of_size(size));

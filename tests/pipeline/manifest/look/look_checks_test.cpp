@@ -80,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
              "orthographic or screen"},
         Case{"figure: {trail: {figure: {character: nobody.glb}}}",
              "m.yaml:4:45: look.figure.trail.figure.character: there is no file nobody.glb; give a "
-             "skinned character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+             "skinned character (.gltf, .glb, .vrm, .fbx); paths are taken from the manifest's "
+             "folder"},
         Case{"figure: {trail: {figure: {stick: {}, mannequin: {}}}}",
              "m.yaml:4:33: look.figure.trail.figure: stick and mannequin exclude each other; keep "
              "one of them"},
@@ -89,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
              "one of them"},
         Case{"figure: {character: nobody.glb}",
              "m.yaml:4:28: look.figure.character: there is no file nobody.glb; give a skinned "
-             "character (.gltf, .glb, .vrm); paths are taken from the manifest's folder"},
+             "character (.gltf, .glb, .vrm, .fbx); paths are taken from the manifest's folder"},
         Case{"figure: markers",
              "m.yaml:4:16: look.figure: the motion of \"a\" is not a recording, so it has no "
              "markers; show a recording of markers (clip), or another figure, such as point-light"},

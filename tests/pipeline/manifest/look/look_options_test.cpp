@@ -138,7 +138,7 @@ TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
 TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
   const std::string none =
       "--figure.character: there is no file nobody.glb; give a skinned character (.gltf, .glb, "
-      ".vrm); paths are taken from the manifest's folder";
+      ".vrm, .fbx); paths are taken from the manifest's folder";
   for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
     EXPECT_EQ(faults_of_options({.figure = figure}), none) << figure;
 }

@@ -82,8 +82,9 @@ TEST_F(RecordingsSection, HasTheNumbersOfTheFit) {
   for (const motion::FittedPoint& point : fitted.points) {
     const std::string mm = fmt::format("{:.1f}", point.residual_mm);
     const bool is_far = point.residual_mm > 40.0;
-    EXPECT_TRUE(has(html, fmt::format("<th scope=\"row\">{}</th><td>{}</td><td>{}</td>", point.name,
-                                      point.role, is_far ? "<b>" + mm + "</b>" : mm)))
+    EXPECT_TRUE(
+        has(html, fmt::format("<th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td>",
+                              point.name, point.role, is_far ? "<b>" + mm + "</b>" : mm)))
         << point.name;
   }
   EXPECT_TRUE(has(html, "<td>1 gap, 0.10 s</td><td></td></tr>"));  // LHEE: filled

@@ -193,6 +193,7 @@ const Surroundings surroundings[] = {
     {"screen.distance_cm", "{}", R"({"width_cm": 50})"},
     {"screen.width_cm", "{}", R"({"distance_cm": 60})"},
     {"screen.degrees", "{}", R"({"distance_cm": 60, "width_cm": 50})"},
+    {"look.figure.markers.lifetime", with_markers, R"({"pairs": [["LeftHip", "LeftKnee"]]})"},
     {"look.figure.markers", with_markers, "{}"},
     {"trail.every", "{}", R"({"before": 2})"},
     {"trail.min_opacity", "{}", R"({"before": 2})"},
@@ -229,6 +230,7 @@ const Values chosen_values[] = {
     {"posed.body_model", R"(["small.npz", "tall.npz"])"},
     {".licence", R"(["CC0", "MIT"])"},
     {".licence.name", R"(["CC0", "MIT"])"},
+    {".licence.share", "[true, false]"},
     {".source", R"(["example.org", "example.com"])"},
     {"clip.fps", "[40, 50]"},
     {"set.fps", "[40, 50]"},
@@ -612,10 +614,11 @@ bool has_one_value(const std::string& path) {
 
 OptionVariants variants_of(const std::string& path, const json& node) {
   const Values* chosen = entry_for(chosen_values, path);
-  const bool is_of_nameless = path.ends_with(".joints") && chosen == nullptr;
-  const json two = chosen != nullptr ? parsed(chosen->two)
-                   : is_of_nameless  ? names_of_nameless()
-                                     : two_values(node);
+  const bool is_of_nameless =
+      path.ends_with(".joints") && path.find("point-light") == std::string::npos;
+  const json two = is_of_nameless      ? names_of_nameless()
+                   : chosen != nullptr ? parsed(chosen->two)
+                                       : two_values(node);
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
