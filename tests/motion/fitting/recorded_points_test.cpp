@@ -1,6 +1,7 @@
 #include "motion/fitting/recorded_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -64,13 +65,17 @@ TEST(RecordedPoints, LieOnTheClipThatWasFittedToThem) {
             1e-9);
 }
 
-TEST(RecordedPoints, StandOnTheFloorWithTheBody) {
-  PointRecording points = recorded(truth(), canonical_joints());
-  for (Vec3& position : points.positions) position.y() -= 0.4;
-  const RecordedPoints result = recorded_points(points);
+TEST(RecordedPoints, AreRaisedToTheFloorWithTheBody) {
+  const RecordedPoints result = recorded_points(recorded(truth(), canonical_joints()));
   ASSERT_TRUE(result.fit);
-  EXPECT_NEAR(result.fit->axes.floor - result.fit->raised, -0.4, 0.03);
-  EXPECT_LT(largest_distance(clip_of(result.recording), *result.recording.markers), 0.015);
+  ASSERT_GT(std::abs(result.fit->raised), 0.01);
+  const auto paths = joint_paths(clip_of(result.recording));
+  const Markers& markers = *result.recording.markers;
+  double above = 0.0;
+  for (std::size_t frame = 0; frame < paths.size(); ++frame)
+    above += markers.positions[markers.at(static_cast<int>(frame), LeftHip)].y() -
+             paths[frame][LeftHip].y();
+  EXPECT_NEAR(above / static_cast<double>(paths.size()), 0.0, 0.005);
 }
 
 TEST(RecordedPoints, OfAChildKeepTheirSize) {

@@ -345,7 +345,10 @@ TEST(AnFbxCharacter, CarriesMeshesThatHangOnItsJoints) {
   // The hat's corner at its origin, in the frame of the head.
   const auto corner_in = [&](const motion::Pose& pose) -> Vec3 {
     const motion::JointTransforms rig = rig_pose(character, pose);
-    const Vec3 corner = posed(character, pose)[1].positions[0].cast<double>();
+    const std::vector<render::Mesh> meshes = posed(character, pose);
+    const auto hat = std::ranges::min_element(
+        meshes, {}, [](const render::Mesh& mesh) { return mesh.positions.size(); });
+    const Vec3 corner = hat->positions[0].cast<double>();
     return rig.rotations[head].conjugate() * (corner - rig.positions[head]);
   };
   motion::Pose at_rest = some_pose();
