@@ -116,7 +116,8 @@ TEST(Fit, FindsTheJointsOfAWalkInEverySet) {
     EXPECT_LT(std::abs(fitted.raised), 0.03);
     EXPECT_LT(fitted.residual_mm, 15.0);
     for (const FittedPoint& point : fitted.points) {
-      const bool is_keypoint = std::string_view(set.name) == "OpenCap" && !point.name.ends_with("_study");
+      const bool is_keypoint =
+          std::string_view(set.name) == "OpenCap" && !point.name.ends_with("_study");
       EXPECT_EQ(point.use, is_keypoint ? PointUse::unknown : PointUse::used) << point.name;
     }
   }
