@@ -56,14 +56,20 @@ FileContents read_c3d_file(const path& file, const ReadOptions& how) {
               "omit the names of joints");
 }
 
+[[noreturn]] void refuse_body_model(const path& file) {
+  throw Error({file.string()}, "holds no rotations of SMPL joints, so no body model can be used",
+              "omit the body model");
+}
+
 FileContents read_npz_file(const path& file, const ReadOptions& how) {
-  if (holds_smpl_motion(file)) {
-    if (!how.joints.empty()) refuse_names(file);
-    return read_smpl(file, how);
-  }
-  if (!how.body_model.empty()) {
-    throw Error({file.string()}, "holds no rotations of SMPL joints, so no body model can be used",
-                "omit the body model");
+  const bool is_smpl = holds_smpl_motion(file);
+  const bool are_markers = is_smpl && how.take == smpl_markers_take;
+  if (is_smpl && !how.joints.empty()) refuse_names(file);
+  if ((!is_smpl || are_markers) && !how.body_model.empty()) refuse_body_model(file);
+  if (are_markers) return read_smpl_markers(file, how);
+  if (is_smpl) return read_smpl(file, how);
+  if (how.take) {
+    throw Error({file.string()}, "holds one motion, so no take can be chosen", "omit the take");
   }
   return read_npz_positions(file, how);
 }
@@ -146,6 +152,7 @@ constexpr MotionFormat formats[] = {
      .bytes_of_points = trc_bytes},
     {.ending = ".npz",
      .name = "NumPy",
+     .has_takes = true,
      .is_metric = true,
      .is_of_body = true,
      .has_nameless_points = true,

@@ -22,7 +22,7 @@ struct MarkerNames {
 /// All sets that are recognised; of two that fit equally well the first counts.
 std::span<const MarkerNames> known_marker_sets();
 
-/// Names that are used for additional points in any set.
-std::span<const MarkerName> common_marker_names();
+/// Abbreviations that laboratories use for further points in any set.
+std::span<const MarkerName> marker_abbreviations();
 
 }  // namespace mien::motion

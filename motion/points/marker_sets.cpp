@@ -218,7 +218,7 @@ MarkerSet recognised_marker_set(std::span<const std::string> points) {
   if (found) {
     Spellings spellings;
     add_spellings(found->names, spellings);
-    add_spellings(common_marker_names(), spellings);
+    add_spellings(marker_abbreviations(), spellings);
     best.name = found->set;
     best.roles = roles_of(names, spellings);
     best.missing_points = missing_points(best, found->names);

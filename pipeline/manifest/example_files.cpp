@@ -1,5 +1,6 @@
 #include "pipeline/manifest/example_files.h"
 
+#include <algorithm>
 #include <set>
 
 #include "motion/formats/motion_format.h"
@@ -62,6 +63,11 @@ std::vector<std::string> stems_in_folder(const Examples& examples) {
       stems.insert(motion::recording_name(entry.path()));
   }
   return {stems.begin(), stems.end()};
+}
+
+bool may_hold_takes(const Examples& examples) {
+  return std::ranges::any_of(motion::example_files(example_folder(examples)),
+                             motion::may_hold_takes);
 }
 
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file) {

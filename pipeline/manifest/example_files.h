@@ -28,6 +28,10 @@ std::vector<RatedExample> rated_examples(const Manifest& manifest);
 /// those that `include` matches and those that are motions by their ending. Throws Error.
 std::vector<std::string> stems_in_folder(const Examples& examples);
 
+/// Whether a file of the examples' folder may contain several motions, of which a take chooses one.
+/// Throws Error.
+bool may_hold_takes(const Examples& examples);
+
 /// Returns the companion files to which a motion file may refer: all files in its folder with the
 /// extension of its format's companion files (.asf for .amc), in upper or lower case.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);

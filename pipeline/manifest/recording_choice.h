@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "motion/formats/reading/read_options.h"
 #include "pipeline/base/documents/concerns.h"
 
@@ -43,10 +45,16 @@ inline motion::ReadOptions read_options(const RecordingChoice& choice) {
   return options;
 }
 
+/// A subject is written as text, or as a number from 1.
+struct SubjectForm {
+  static void read(const DocumentValue& given, std::string& subject);
+  static nlohmann::ordered_json write(const std::string& subject, const WritingOptions&);
+};
+
 /// The fields of the choice, which are written beside that of the file; a pose has no rate.
 void pose_fields(auto&& field, auto& choice, unsigned concern) {
   field("take", choice.take, concern);
-  field("subject", choice.subject, concern);
+  field.by("subject", choice.subject, concern, SubjectForm());
   field("joints", choice.joints, concern);
   field("body_model", choice.body_model, concern);
   constexpr unsigned stated = concerns::page | concerns::unkeyed;

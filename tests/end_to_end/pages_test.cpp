@@ -60,6 +60,7 @@ const std::vector<NotRun> not_run = {
     {"./mien render walk.bvh --figure character.fbx", "needs a character (fbx_character_test.cpp)"},
     {"./mien render dance.vrma", "needs a character (vrm_character_test.cpp)"},
     {"./mien render walk.npz --body-model", "needs an SMPL model (smpl_model_test.cpp)"},
+    {"./mien render walk.npz#markers", "needs markers of AMASS (smpl_test.cpp)"},
     {"./mien regress approved.mp4 now.mp4", "needs two videos"},
     {"./mien regress approved.png now.png", "needs two pictures"},
     {"./mien regress approved-frames/ now-frames/", "needs two folders of pictures"},

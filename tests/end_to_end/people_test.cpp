@@ -141,7 +141,7 @@ study: two
 output: {size: [64, 36], fps: 10, cycles: 1, quality: draft, video: [gif]}
 stimuli:
   - {id: ann, clip: {file: both.bvh, subject: Ann}}
-  - {id: bo, clip: {file: both.bvh, subject: "2"}}
+  - {id: bo, clip: {file: both.bvh, subject: 2}}
 overlays:
   - {target: ann, created: bo, layout: as-recorded}
 )";

@@ -35,15 +35,23 @@ bool holds_smpl_motion(std::string_view bytes, const std::string& file_name);
 /// - `betas` and `gender` are noted. Offsets are those of mien's own body (smpl_joints.h), or of
 ///   `options.body_model` with `betas` (smpl_model.h).
 ///
+/// A file that also has `marker_data` has the takes "body", which this reads, and "markers"
+/// (read_smpl_markers).
+///
 /// Units are metres; axes are those of the file (+Z up in AMASS, +Y up in BEAT2), which
 /// `recognise` (body_mapping.h) finds from the figure. Joints are named as in smpl_joints.h; the
 /// format is "smpl".
 ///
 /// Throws mien::Error naming file, array and frame if the layout is another, arrays differ in their
-/// number of frames, numbers are not finite, or no rate or contradicting rates are given.
+/// number of frames, numbers are not finite, no rate or contradicting rates are given, or
+/// `options.take` is another than "body".
 Recording read_smpl(const std::filesystem::path& path, const ReadOptions& options = {});
 Recording parse_smpl(std::string_view bytes, const std::string& file_name,
                      const ReadOptions& options = {});
+
+/// The takes of an AMASS file with markers: the motion of the body, and the markers.
+inline constexpr std::string_view smpl_body_take = "body";
+inline constexpr std::string_view smpl_markers_take = "markers";
 
 /// Reads the markers of an AMASS file (.npz): `marker_data`, T × M × 3, and their names in
 /// `marker_labels`. A marker at 0 0 0 or with a value that is not a number is missing. A marker

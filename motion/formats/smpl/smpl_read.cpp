@@ -93,8 +93,20 @@ Vec3 vector_at(const std::vector<double>& numbers, std::size_t index) {
   return {numbers[3 * index], numbers[3 * index + 1], numbers[3 * index + 2]};
 }
 
+void set_takes(const Npz& npz, const ReadOptions& options, Recording& recording) {
+  const bool has_markers = find_array(npz, "marker_data") != nullptr;
+  if (options.take && (*options.take != smpl_body_take || !has_markers)) {
+    throw Error({npz.file}, "there is no take " + in_quotes(*options.take),
+                has_markers ? "choose body or markers" : "omit the take");
+  }
+  if (!has_markers) return;
+  recording.takes = {std::string(smpl_body_take), std::string(smpl_markers_take)};
+  recording.take = smpl_body_take;
+}
+
 Recording smpl_motion(const Npz& npz, const ReadOptions& options) {
   Recording recording;
+  set_takes(npz, options, recording);
   recording.name = recording_name(npz.file);
   recording.format = "smpl";
   const SmplRotations rotations = smpl_rotations(npz, recording.notes);

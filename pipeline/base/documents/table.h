@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,9 @@ struct ColumnOf : Column {
                      From)
       : Column{column, of_unit, means}, add([](const Row& row, std::vector<std::string>& fields) {
           add_field(From{}(row), fields);
-        }) {}
+        }) {
+    static_assert(std::is_empty_v<From>, "a pointer to a function would be called as null");
+  }
 
   template <class From>
   constexpr ColumnOf(const SharedColumn<From>& shared)

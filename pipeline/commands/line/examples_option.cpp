@@ -1,6 +1,8 @@
 #include "pipeline/commands/line/examples_option.h"
 
 #include "motion/error.h"
+#include "motion/formats/motion_file.h"
+#include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/reading/example_source.h"
 
 namespace mien::pipeline {
@@ -10,6 +12,9 @@ Examples examples_of(const std::string& examples, const RecordingArguments& argu
   if (!result.builtin.empty())
     refuse_recording_options(arguments, "a built-in set", "omit them, or name a folder");
   result.how = recording_choice(arguments);
+  if (!result.how.take.empty() && !may_hold_takes(result))
+    throw Error("--take: none of the files can hold several motions",
+                "omit it; only " + motion::formats_with_takes() + " can hold several");
   return result;
 }
 
@@ -17,7 +22,9 @@ void refuse_recording_options(const RecordingArguments& arguments, const std::st
                               const std::string& remedy) {
   if (!arguments.are_given()) return;
   throw Error(
-      "--take, --subject, --recorded-fps and --joints apply to motion files, not to " + what,
+      "--take, --subject, --recorded-fps, --joints and --body-model apply to motion files, not "
+      "to " +
+          what,
       remedy);
 }
 

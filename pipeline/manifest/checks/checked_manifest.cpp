@@ -76,7 +76,7 @@ std::vector<Fault> missing_recordings(const StudyRecord& record, const Manifest&
   return faults;
 }
 
-/// Where in an unpacked archive a recording lies, or is expected if it was left out; empty if the
+/// Where in an unpacked archive a recording is, or is expected if it was left out; empty if the
 /// text names none.
 std::filesystem::path place_in_archive(const StudyRecord& record, const PackedRecordings& packed,
                                        const std::filesystem::path& folder,

@@ -25,8 +25,7 @@ void check_folder(const Examples& examples, FaultList& list) {
 void check_takes(const Examples& examples, FaultList& list) {
   std::error_code error;
   if (examples.how.take.empty() || !std::filesystem::is_directory(examples.folder, error)) return;
-  if (std::ranges::any_of(motion::example_files(example_folder(examples)), motion::may_hold_takes))
-    return;
+  if (may_hold_takes(examples)) return;
   list.add("examples.set.take", "none of the files can hold several motions",
            "omit take; only " + motion::formats_with_takes() + " can hold several");
 }

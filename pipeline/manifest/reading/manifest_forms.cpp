@@ -59,6 +59,15 @@ OrderedJson ClipsForm::write(const std::vector<std::string>& clips, const Writin
   return clips;
 }
 
+void SubjectForm::read(const DocumentValue& given, std::string& subject) {
+  if (given.value.is_number_integer()) subject = given.value.dump();
+  assign(&given.value, subject);
+}
+
+OrderedJson SubjectForm::write(const std::string& subject, const WritingOptions&) {
+  return subject;
+}
+
 void EqualizeGroupForm::read(const DocumentValue& given, std::optional<EqualizeGroup>& group_by) {
   if (given.value.is_boolean()) group_by.reset();
   if (given.value == false) return;

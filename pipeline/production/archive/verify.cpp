@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a packed recording lies in the study's folder.
+/// Where a packed recording is in the study's folder.
 std::string place_of(const RecordingRecord& recording) {
   return std::string(packed_recordings_folder) + "/" + recording.path;
 }

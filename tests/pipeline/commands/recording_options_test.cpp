@@ -104,6 +104,11 @@ TEST_F(NamedRecordings, RefuseOtherNumbersOfValues) {
 
 TEST(ExamplesOfTheCommandLine, AreReadAsTheOptionsSay) {
   const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "a.bvh");
+  const std::string single =
+      refusal_of([&] { examples_of(folder.path().string(), {.takes = {"Walk"}}); });
+  EXPECT_TRUE(contains_words(single, "none of the files can hold several motions")) << single;
+  std::ofstream(folder.path() / "b.glb");
   const Examples examples =
       examples_of(folder.path().string(), {.takes = {"Walk"}, .rates = {50.0}});
   EXPECT_EQ(examples.how.take, "Walk");

@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/motion_file.h"
 #include "motion/formats/smpl/smpl_files.h"
 #include "motion/formats/smpl/smpl_joints.h"
 #include "motion/refusal.h"
+#include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
 
@@ -311,6 +313,35 @@ TEST(Smpl, MarkersAtTheOriginAreMissing) {
                        "holds 2 names for 4 markers"));
   EXPECT_TRUE(contains(refusal_of([&] { parse_smpl_markers(npz_file({members[2]}), "m.npz"); }),
                        "it has no array marker_data"));
+}
+
+TEST(Smpl, MarkersAreATakeOfTheirFile) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "walk.npz";
+  const auto written = [&](const std::vector<ZipMember>& members) {
+    std::ofstream(file, std::ios::binary) << npz_file(members);
+  };
+  const std::vector<ZipMember> motion = amass_members(random_motion(52, 2), 60.0);
+  written(with(motion, {"marker_data", npy_f8("(2, 1, 3)", {1, 2, 3, 4, 5, 6})}));
+  const auto taken = [&](const char* take) {
+    ReadOptions options;
+    options.take = take;
+    return read_file(file, options);
+  };
+  EXPECT_EQ(std::get<PointRecording>(taken("markers")).positions[1], Vec3(4, 5, 6));
+  const Recording body = std::get<Recording>(read_file(file));
+  EXPECT_EQ(body.takes, (std::vector<std::string>{"body", "markers"}));
+  EXPECT_EQ(body.take, "body");
+  EXPECT_EQ(std::get<Recording>(taken("body")).poses.size(), body.poses.size());
+  EXPECT_TRUE(contains(refusal_of([&] { taken("feet"); }), "choose body or markers"));
+  ReadOptions model;
+  model.take = "markers";
+  model.body_model = "model.npz";
+  EXPECT_TRUE(contains(refusal_of([&] { read_file(file, model); }), "no body model"));
+  written(motion);
+  EXPECT_TRUE(std::get<Recording>(read_file(file)).takes.empty());
+  EXPECT_TRUE(contains(refusal_of([&] { taken("markers"); }), "holds no markers"));
+  EXPECT_TRUE(contains(refusal_of([&] { taken("body"); }), "no take"));
 }
 
 TEST(Smpl, MotionIsToldFromOtherArrays) {

@@ -6,7 +6,7 @@ namespace {
 
 using enum Landmark;
 
-constexpr MarkerName common[] = {
+constexpr MarkerName abbreviations[] = {
     {"*HJC", hip},
     {"*KJC", knee},
     {"*AJC", ankle},
@@ -52,6 +52,6 @@ constexpr MarkerName common[] = {
 
 }  // namespace
 
-std::span<const MarkerName> common_marker_names() { return common; }
+std::span<const MarkerName> marker_abbreviations() { return abbreviations; }
 
 }  // namespace mien::motion
