@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
+#include <new>
 #include <type_traits>
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include "motion/formats/fbx/fbx_values.h"
 #include "motion/formats/fbx/fbx_words.h"
@@ -15,30 +17,43 @@ namespace mien::motion {
 
 namespace {
 
+struct DecompressorFreeing {
+  void operator()(libdeflate_decompressor* one) const { libdeflate_free_decompressor(one); }
+};
+
 /// Inflates into exactly `size` bytes; false if the stream is damaged or of another length.
 bool inflate_exactly(std::string_view deflated, char* bytes, std::size_t size) {
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) return false;
-  char nothing = 0;
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(deflated.data()));
-  stream.avail_in = static_cast<uInt>(deflated.size());
-  stream.next_out = reinterpret_cast<Bytef*>(size == 0 ? &nothing : bytes);
-  stream.avail_out = static_cast<uInt>(size);
-  const int result = inflate(&stream, Z_FINISH);
-  const bool is_whole = result == Z_STREAM_END && stream.total_out == size;
-  inflateEnd(&stream);
-  return is_whole;
+  const std::unique_ptr<libdeflate_decompressor, DecompressorFreeing> decompressor(
+      libdeflate_alloc_decompressor());
+  if (!decompressor) throw std::bad_alloc();
+  return libdeflate_zlib_decompress(decompressor.get(), deflated.data(), deflated.size(), bytes,
+                                    size, nullptr) == LIBDEFLATE_SUCCESS;
+}
+
+/// Copies the bytes of an array, inflated if need be, to `bytes`, which has room for exactly them.
+void copy_array(const FbxDocument& document, const FbxArray& array, char* bytes) {
+  if (!array.is_deflated) {
+    std::copy(array.stored.begin(), array.stored.end(), bytes);
+  } else if (!inflate_exactly(array.stored, bytes, array.inflated_bytes())) {
+    refuse_fbx(document, array.stored.data(),
+               "a compressed array is damaged or not of the stated length", fbx_again);
+  }
 }
 
 template <class Number, class Stored>
-std::vector<Number> converted(std::string_view bytes) {
-  std::vector<Number> numbers(bytes.size() / sizeof(Stored));
-  for (size_t i = 0; i < numbers.size(); ++i) {
-    const Stored stored = bytes_as<Stored>(bytes.data() + i * sizeof(Stored));
-    if constexpr (std::is_floating_point_v<Stored> && std::is_integral_v<Number>) {
-      numbers[i] = as_integer(stored);
-    } else {
-      numbers[i] = static_cast<Number>(stored);
+std::vector<Number> converted(const FbxDocument& document, const FbxArray& array) {
+  std::vector<Number> numbers(array.count);
+  if constexpr (std::is_same_v<Number, Stored>) {
+    copy_array(document, array, reinterpret_cast<char*>(numbers.data()));
+  } else {
+    const auto stored = std::make_unique_for_overwrite<Stored[]>(array.count);
+    copy_array(document, array, reinterpret_cast<char*>(stored.get()));
+    for (size_t i = 0; i < numbers.size(); ++i) {
+      if constexpr (std::is_floating_point_v<Stored> && std::is_integral_v<Number>) {
+        numbers[i] = as_integer(stored[i]);
+      } else {
+        numbers[i] = static_cast<Number>(stored[i]);
+      }
     }
   }
   return numbers;
@@ -46,27 +61,17 @@ std::vector<Number> converted(std::string_view bytes) {
 
 template <class Number>
 std::vector<Number> array_numbers(const FbxDocument& document, const FbxArray& array) {
-  std::string inflated;
-  std::string_view bytes = array.stored;
-  if (array.is_deflated) {
-    inflated.resize(array.inflated_bytes());
-    if (!inflate_exactly(array.stored, inflated.data(), inflated.size())) {
-      refuse_fbx(document, array.stored.data(),
-                 "a compressed array is damaged or not of the stated length", fbx_again);
-    }
-    bytes = inflated;
-  }
   switch (array.type) {
     case 'f':
-      return converted<Number, float>(bytes);
+      return converted<Number, float>(document, array);
     case 'd':
-      return converted<Number, double>(bytes);
+      return converted<Number, double>(document, array);
     case 'l':
-      return converted<Number, std::int64_t>(bytes);
+      return converted<Number, std::int64_t>(document, array);
     case 'i':
-      return converted<Number, std::int32_t>(bytes);
+      return converted<Number, std::int32_t>(document, array);
     default:
-      return converted<Number, std::uint8_t>(bytes);
+      return converted<Number, std::uint8_t>(document, array);
   }
 }
 

@@ -122,6 +122,21 @@ TEST(Npz, ADamagedArrayIsFound) {
   EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
 }
 
+TEST(Npz, ADeflatedArrayMustHaveItsStatedSizeAndChecksum) {
+  std::vector<double> numbers(3000);
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i % 11);
+  const std::string array = npy_f8("(3000,)", numbers);
+  const auto size = static_cast<std::int64_t>(array.size());
+  for (const std::int64_t stated : {size - 1, size + 1, size + 100'000}) {
+    const std::string file = npz_file({{"poses", array, true, 0, stated}});
+    EXPECT_TRUE(contains(refusal_of_npz(file), "not of the stated length")) << stated;
+  }
+  std::string file = npz_file({{"poses", array, true}});
+  EXPECT_EQ(numbers_of(parse_npz(file, "a.npz").arrays.front(), {}), numbers);
+  file[file.rfind("PK\x01\x02") + 16] ^= 1;  // the checksum in the directory
+  EXPECT_TRUE(contains(refusal_of_npz(file), "checksum does not match"));
+}
+
 TEST(Npz, EveryTruncationAndManyMutationsAreReadOrRefused) {
   const std::string whole =
       npz_file({{"a", npy_f8("(2,)", {1, 2})}, {"b", npy_f8("(1, 3)", {3, 4, 5}), true}});
