@@ -38,11 +38,10 @@ struct BodyTracks {
 /// with the legs (hip–knee–ankle 0.85 m):
 ///
 /// - Pelvis: the plane through the front and back iliac spines leans forward at rest as far as
-/// makes
-///   the pelvis in line with the trunk in most frames, 0–20° (10° without a trunk): markers are
-///   placed at heights that differ between laboratories by 10° and more. Hips by Harrington et al.
-///   2007 (hip_centres.h); without points on the back of the pelvis its depth is taken as 0.66 of
-///   its width. The pelvis joint is 0.03 above the hips.
+///   makes the pelvis in line with the trunk in most frames, 0–20° (10° without a trunk): markers
+///   are placed at heights that differ between laboratories by 10° and more. Hips by Harrington et
+///   al. 2007 (hip_centres.h); without points on the back of the pelvis its depth is taken as 0.66
+///   of its width. The pelvis joint is 0.03 above the hips.
 /// - Knees and ankles: the middle of their outer and inner points; with an outer one only, inwards
 ///   along the knee's axis (hinge_axis.h) by 7 mm (a marker's radius) and half the joint's width,
 ///   0.125 (knee) and 0.085 (ankle) of the leg's length. Without such points, by the motion of the

@@ -173,17 +173,20 @@ void warn_of_residuals(FittedMotion& fitted) {
     fitted.warnings.push_back("The fitted body is " + in_words(fitted.residual_mm, 0) +
                               " mm (RMS) away from the points.");
   }
+  std::vector<std::string> missing;
+  std::vector<std::string> far;
   for (const FittedPoint& point : fitted.points) {
-    if (point.use == PointUse::missing) {
-      fitted.warnings.push_back("The point " + in_quotes(point.name) + " (" + point.role +
-                                ") is missing in all frames.");
-    }
-    if (point.residual_mm <= far_from_points_mm) continue;
-    fitted.warnings.push_back("The point " + in_quotes(point.name) + " is " +
-                              in_words(point.residual_mm, 0) +
-                              " mm (RMS) away from the fitted body: it may be mislabelled or have "
-                              "moved on the skin.");
+    if (point.use == PointUse::missing)
+      missing.push_back(in_quotes(point.name) + " (" + point.role + ")");
+    if (point.residual_mm > far_from_points_mm)
+      far.push_back(in_quotes(point.name) + " (" + in_words(point.residual_mm, 0) + " mm)");
   }
+  if (!missing.empty())
+    fitted.warnings.push_back("Points that are missing in all frames: " + listed(missing) + ".");
+  if (!far.empty())
+    fitted.warnings.push_back("Points that are more than " + in_words(far_from_points_mm, 0) +
+                              " mm (RMS) away from the fitted body: " + listed(far) +
+                              ". They may be mislabelled or have moved on the skin.");
 }
 
 std::string note_on_people(const PointRecording& recording, const std::string& fitted) {

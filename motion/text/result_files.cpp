@@ -1,7 +1,6 @@
 #include "motion/text/result_files.h"
 
 #include <deque>
-#include <ranges>
 #include <system_error>
 #include <vector>
 
@@ -28,11 +27,11 @@ void write_results(std::span<const ResultBytes> files) {
   std::vector<fs::path> were_missing;  // of those that have appeared
   for (const ResultBytes& file : files) write_draft(results.emplace_back(file.target), file.bytes);
   try {
-    for (ResultFile& result : results | std::views::reverse) {
+    for (auto result = results.rbegin(); result != results.rend(); ++result) {
       std::error_code unknown;
-      const bool is_new = !fs::exists(result.target(), unknown);
-      result.publish();
-      if (is_new) were_missing.push_back(result.target());
+      const bool is_new = !fs::exists(result->target(), unknown);
+      result->publish();
+      if (is_new) were_missing.push_back(result->target());
     }
   } catch (...) {
     std::error_code ignored;

@@ -17,6 +17,7 @@
 #include "motion/lint/lint.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
+#include "motion/skeleton/common_frames.h"
 #include "motion/skeleton/straighten.h"
 #include "motion/text/excerpt.h"
 
@@ -78,20 +79,6 @@ std::vector<std::string> people_in(const NamedRecording& named) {
               "choose one with --subject: " + motion::listed(people));
 }
 
-/// Cuts the clips to the frames of the file that all have.
-void cut_to_common_frames(std::vector<motion::Clip>& clips, const std::vector<int>& first_frames,
-                          const std::string& file) {
-  const int first = std::ranges::max(first_frames);
-  int end = first_frames.front() + clips.front().frame_count();
-  for (std::size_t i = 1; i < clips.size(); ++i)
-    end = std::min(end, first_frames[i] + clips[i].frame_count());
-  if (first >= end)
-    throw Error(Place{file}, "there is no frame in which all people are known",
-                "choose one with --subject");
-  for (std::size_t i = 0; i < clips.size(); ++i)
-    clips[i] = motion::cut(clips[i], first - first_frames[i], end - 1 - first_frames[i]);
-}
-
 /// Everyone in a file, where they were recorded.
 std::vector<scenes::Performance> people_of(NamedRecording named, const Output& output,
                                            const Console& console) {
@@ -108,7 +95,9 @@ std::vector<scenes::Performance> people_of(NamedRecording named, const Output& o
     first_frames.push_back(motion.first_frame);
     performances.push_back({.name = name_among(names, person.empty() ? "figure" : person)});
   }
-  cut_to_common_frames(clips, first_frames, named.file);
+  if (!motion::cut_to_common_frames(clips, first_frames))
+    throw Error(Place{named.file}, "there is no frame in which all people are known",
+                "choose one with --subject");
   for (std::size_t i = 0; i < clips.size(); ++i) performances[i].clip = as_filmed(clips[i], output);
   return performances;
 }

@@ -55,9 +55,8 @@ bool is_character_file(const std::filesystem::path& path);
 ///   determines only the orientation of the whole, and the positions of skins that share no joint,
 ///   of joints without such a matrix and of meshes without a skin.
 /// - In FBX files the joints are those of the file's motion (motion/formats/fbx/fbx.h). Pictures
-/// are
-///   in the file, or beside it under their relative name or in its folder; surfaces whose picture
-///   is missing or of another kind get their plain colour, with a warning.
+///   are in the file, or beside it under their relative name or in its folder; surfaces whose
+///   picture is missing or of another kind get their plain colour, with a warning.
 ///
 /// Throws mien::Error, naming the file, if it does not contain such a character: no skin, no human
 /// figure, indices out of range, numbers that are not finite, cycles, missing pictures.

@@ -20,13 +20,12 @@ namespace mien::motion {
 ///   the animation moves, with exceptions (gltf_figure.h). Of several figures, `subject` chooses
 ///   one by the name of its root or by number (from 1); without it, the one with the most joints is
 ///   used, and `notes` gets a sentence about it.
-///   A node without a name is called "joint_0", "joint_1", … by its index in the skeleton. If the
-///   only child of a leaf joint is a node that is not animated and has no children, mesh or camera,
-///   its position is the `tip` of the joint.
+///   A node without a name is called "joint_0", "joint_1", … by its index in the skeleton. The
+///   `tip` of a joint is the position of its only child, or of the one named after it ("Head_end"),
+///   if that is no joint, is not animated and has no children, mesh or camera.
 /// - In VRM animations (.vrma) and characters (.vrm, 1.0 and 0.x), the skeleton consists of the
-/// bones
-///   of the humanoid and the nodes between them, and bones are named as VRM names them ("hips",
-///   "leftUpperArm"), whatever their nodes are called. Figures of VRM 0.x face −Z.
+///   bones of the humanoid and the nodes between them, and bones are named as VRM names them
+///   ("hips", "leftUpperArm"), whatever their nodes are called. Figures of VRM 0.x face −Z.
 /// - World positions are exact for any scales and for matrices without shear: nodes above the root
 ///   become part of the root's pose, and scales become part of the offsets. Poses get `offsets`
 ///   only if a joint moves relative to its parent by more than a millionth of the longest offset.

@@ -198,11 +198,14 @@ std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrac
 int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<bool>& moved,
              int joint) {
   const std::vector<int>& children = nodes.children[static_cast<size_t>(joint)];
-  if (children.size() != 1) return -1;
-  const auto child = static_cast<size_t>(children.front());
-  const tinygltf::Node& node = file.model.nodes[child];
-  const bool is_empty = nodes.children[child].empty() && node.mesh < 0 && node.camera < 0;
-  return is_empty && !moved[child] ? children.front() : -1;
+  const std::string named = file.model.nodes[static_cast<size_t>(joint)].name + "_end";
+  for (const int child : children) {
+    const auto index = static_cast<size_t>(child);
+    const tinygltf::Node& node = file.model.nodes[index];
+    const bool is_end = nodes.children[index].empty() && node.mesh < 0 && node.camera < 0;
+    if (is_end && !moved[index] && (children.size() == 1 || node.name == named)) return child;
+  }
+  return -1;
 }
 
 GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,

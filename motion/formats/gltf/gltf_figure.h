@@ -33,7 +33,9 @@ GltfFigure gltf_figure(const GltfFile& file, const GltfNodes& nodes,
 /// For each node, whether a track moves it.
 std::vector<bool> moved_nodes(const GltfNodes& nodes, const std::vector<GltfTrack>& tracks);
 
-/// The node that marks the end of a leaf joint's bone, or −1.
+/// The node that marks the end of a joint's bone: a node that does not move and has no children,
+/// mesh or camera, if it is the only child or named after the joint ("Head_end"). −1 if there is
+/// none.
 int tip_node(const GltfFile& file, const GltfNodes& nodes, const std::vector<bool>& moved,
              int joint);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "motion/formats/gltf/gltf.h"
@@ -85,11 +86,11 @@ Skeleton skeleton_of(const GltfFile& file, const GltfNodes& nodes, const GltfFig
     joint.offset = rest.offsets[j];
     skeleton.joints.push_back(std::move(joint));
   }
-  const auto children = children_of(skeleton);
+  const std::set<int> joints(figure.joints.begin(), figure.joints.end());
   const std::vector<bool> moved = moved_nodes(nodes, tracks);
   for (size_t j = 0; j < figure.joints.size(); ++j) {
-    const int tip = children[j].empty() ? tip_node(file, nodes, moved, figure.joints[j]) : -1;
-    if (tip < 0) continue;
+    const int tip = tip_node(file, nodes, moved, figure.joints[j]);
+    if (tip < 0 || joints.contains(tip)) continue;
     const NodeInWorld end = child_of(at_rest[j], nodes.at_rest[static_cast<size_t>(tip)]);
     require_usable(file, end.position);
     skeleton.joints[j].tip = seen_from(at_rest[j], end.position);

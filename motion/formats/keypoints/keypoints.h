@@ -23,8 +23,8 @@ inline constexpr std::size_t max_keypoint_bytes = std::size_t{256} << 20;
 ///   `keypoints3D` …; 33 landmarks are those of the pose. World landmarks are in metres, +Y down.
 ///   Landmarks of the picture are read with a note, because they are not to scale.
 /// - FreeMoCap (`…_by_frame.json`): `data_by_frame`, an object for each frame with
-/// `tracked_points`,
-///   or in older versions `body`, `left_hand` and `right_hand`, of points {x, y, z}; millimetres.
+///   `tracked_points`, or in older versions `body`, `left_hand` and `right_hand`, of points {x, y,
+///   z}; millimetres.
 ///
 /// Files of OpenPose and MediaPipe hold a list of frames, or an object with the list as `frames`
 /// and perhaps `fps`, or a single frame. Frames may state their number and time

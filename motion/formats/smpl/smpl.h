@@ -21,13 +21,11 @@ bool holds_smpl_motion(std::string_view bytes, const std::string& file_name);
 /// rotation of each joint relative to its parent, as axis × angle (radians).
 ///
 /// - `poses` (or `pose`), T × 3 J with J of 22, 24 (SMPL), 52 (SMPL-H) or 55 (SMPL-X), or T × J ×
-/// 3;
-///   else `root_orient` or `global_orient` (T × 3) and `pose_body` or `body_pose` (T × 63 or 69),
-///   and where there are any `pose_hand` (T × 90) or `left_hand_pose` and `right_hand_pose` (T ×
-///   45), `pose_jaw` or `jaw_pose`, and `pose_eye` (T × 6) or `leye_pose` and `reye_pose`.
+///   3; else `root_orient` or `global_orient` (T × 3) and `pose_body` or `body_pose` (T × 63 or
+///   69), and where there are any `pose_hand` (T × 90) or `left_hand_pose` and `right_hand_pose` (T
+///   × 45), `pose_jaw` or `jaw_pose`, and `pose_eye` (T × 6) or `leye_pose` and `reye_pose`.
 /// - `trans`, or `transl`, T × 3 metres. The pelvis is at trans + its rest position in the model.
-/// No
-///   model is shipped, so without `options.body_model` the root is at `trans`: a constant
+///   No model is shipped, so without `options.body_model` the root is at `trans`: a constant
 ///   displacement, which has no effect because `to_body` puts the planted feet on the floor.
 ///   Without either array the figure stays in place.
 /// - Rate: `options.frames_per_second`, or the `mocap_framerate`, `mocap_frame_rate`, `fps`,

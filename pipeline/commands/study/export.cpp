@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/questionnaire/experiment/restricted_motions.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
@@ -23,7 +26,17 @@ namespace fs = std::filesystem;
 struct ExportOptions {
   ProductionArguments study;
   std::string folder;
+  bool restricted = false;
 };
+
+/// Throws Faults if the export would pass on motions that must not be shared.
+void refuse_restricted_motions(const ExportOptions& options, const Manifest& manifest) {
+  if (options.restricted) return;
+  std::vector<Fault> faults = restricted_motions(manifest);
+  if (faults.empty()) return;
+  for (Fault& fault : faults) fault.remedy += ", or give --restricted if you may pass it on";
+  throw Faults(std::move(faults));
+}
 
 int export_matching(const Manifest& manifest, const fs::path& folder, const Console& console) {
   const fs::path pages = page_bundle("matching");
@@ -44,6 +57,7 @@ int export_study(const ExportOptions& options, const Console& console) {
   // Errors that would stop the export later are reported before anything is drawn.
   refuse_foreign_folder(options.folder);
   const Manifest asked = participants_manifest(options.study.manifest, console);
+  refuse_restricted_motions(options, asked);
   if (asked.matching) return export_matching(asked, options.folder, console);
   const fs::path pages = page_bundle("questionnaire");
   refuse_answers_to_other_design(options.folder, design_hash(asked, plan_sessions(asked)));
@@ -70,7 +84,10 @@ Command study_export_command() {
               all_of(questionnaire_options(options->study),
                      option("--folder,-o", &options->folder,
                             "Folder to write, new or of an earlier export; answers in it are kept")
-                         .required()),
+                         .required(),
+                     flag("--restricted", &options->restricted,
+                          "Export also motions whose licence does not permit sharing "
+                          "(licence: {share: false}), which are otherwise refused")),
           .notes =
               "First makes the videos that a questionnaire shows, as mien run does. The folder "
               "works offline (open\n"

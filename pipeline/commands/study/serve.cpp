@@ -16,6 +16,7 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/page/served_page.h"
+#include "pipeline/study/questionnaire/experiment/restricted_motions.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/service.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
@@ -205,6 +206,8 @@ int serve(const ServeOptions& options, const Console& console) {
   base_url(options, options.port);
   refuse_taken_port(options);
   const Manifest asked = participants_manifest(options.study.manifest, console);
+  for (const Fault& fault : restricted_motions(asked))
+    console.err << "warning: " << to_string(fault) << '\n';
   if (asked.matching) return serve_matching(asked, options, console);
   const fs::path pages = page_bundle("questionnaire");
   const ServedFiles files = served_files(options, asked);
