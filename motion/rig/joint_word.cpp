@@ -136,4 +136,11 @@ bool names_an_end(std::string_view name) {
   return false;
 }
 
+bool names_a_part_of_the_face(std::string_view name) {
+  constexpr std::string_view parts[] = {"jaw",    "eye",   "leye",  "reye",  "brow", "lid",
+                                        "tongue", "teeth", "tooth", "mouth", "lip",  "chin",
+                                        "cheek",  "nose",  "face",  "hair",  "ear"};
+  return begins_with_any(joint_word(name).word, {Words(parts)});
+}
+
 }  // namespace mien::motion

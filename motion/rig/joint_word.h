@@ -28,6 +28,9 @@ BodyRegion body_region_of(const JointWord& joint);
 /// Whether a name marks its joint as an end site, such as "HeadTop_End" or "ToeNub".
 bool names_an_end(std::string_view name);
 
+/// Whether a name is that of a part of the face: jaw, eye, tongue, … in any spelling.
+bool names_a_part_of_the_face(std::string_view name);
+
 /// Lists of the words for joints in common rigs.
 namespace joint_words {
 

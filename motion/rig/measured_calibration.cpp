@@ -207,9 +207,16 @@ void lay_clavicle(Measuring& measuring, BodyJoint clavicle) {
       });
 }
 
+/// The hand's end in the frame of its joint, if it goes on from the forearm on the average (wrists
+/// rest bent by some 25°); else zero.
+Vec3 fingertips(const Measuring& measuring, BodyJoint wrist, const Vec3& along) {
+  const Vec3 tip = far_end(measuring.rig(), wrist);
+  const bool goes_on = tip.norm() > 0.02 * measuring.leg && tip.normalized().dot(along) > 0.5;
+  return goes_on ? Vec3(tip.normalized()) : Vec3(Vec3::Zero());
+}
+
 /// A hand points to its tip when that goes on from the forearm, else along the axis of its own
-/// frame that does so on the average (wrists rest bent by some 25°). It is turned as the forearm
-/// is.
+/// frame that does so on the average. It is turned as the forearm is.
 void lay_hand(Measuring& measuring, BodyJoint wrist) {
   const auto elbow = BodyJoint(wrist - 1);
   if (!measuring.rig().turns(wrist)) return;
@@ -219,10 +226,14 @@ void lay_hand(Measuring& measuring, BodyJoint wrist) {
     };
   };
   const Vec3 along = mean_in_joint(measuring, wrist, forearm(rest_direction(elbow))).normalized();
-  const Vec3 tip = far_end(measuring.rig(), wrist);
-  const bool goes_on = tip.norm() > 0.02 * measuring.leg && tip.normalized().dot(along) > 0.5;
-  const Vec3 bone = goes_on ? tip : snapped(measuring, along, Vec3::Zero(), 35.0);
+  const Vec3 tip = fingertips(measuring, wrist, along);
+  const Vec3 bone = tip.isZero() ? snapped(measuring, along, Vec3::Zero(), 35.0) : tip;
   lay(measuring, wrist, bone.normalized(), Vec3::UnitY(), forearm(Vec3::UnitY()));
+  // Some rigs have level arms but hanging hands when all rotations are zero: no straight wrist.
+  const JointTransforms zero = zero_pose(measuring.rig().rig);
+  const Vec3 lower = measuring.rig().point(zero, wrist) - measuring.rig().point(zero, elbow);
+  const Vec3 hand = zero.rotations[measuring.rig().joints[wrist].rotation()] * tip;
+  measuring.found.has_evidence[wrist] = !tip.isZero() && hand.dot(lower) < 0.5 * lower.norm();
 }
 
 /// Foot and toes: up as the world is when the foot stands flat, forward to the toes.
@@ -296,7 +307,8 @@ MeasuredCalibration measured_calibration(std::span<const RigMotion> motions) {
     const auto wrist = BodyJoint(shoulder + 2);
     if (straight) follow_parent(measuring, elbow, shoulder, 100.0);
     lay_hand(measuring, wrist);
-    if (straight) follow_parent(measuring, wrist, elbow, 100.0);
+    if (straight && !measuring.found.has_evidence[wrist])
+      follow_parent(measuring, wrist, elbow, 100.0);
   }
   return measuring.found;
 }

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "motion/math/rotation.h"
+#include "motion/rig/joint_word.h"
 
 namespace mien::motion {
 
@@ -12,6 +13,18 @@ std::optional<BodyJoint> main_child(BodyJoint joint) {
   for (const BodyJoint tip : {Head, LeftWrist, RightWrist, LeftToe, RightToe})
     if (joint == tip) return std::nullopt;
   return BodyJoint(joint + 1);  // joints are numbered down each chain
+}
+
+/// Eyes, jaw and the like, with what hangs on them.
+std::vector<bool> joints_of_face(const Skeleton& rig) {
+  std::vector<bool> in_face(static_cast<size_t>(rig.size()), false);
+  for (int j = 0; j < rig.size(); ++j) {
+    const auto index = static_cast<size_t>(j);
+    const int parent = rig.joints[index].parent;
+    in_face[index] = names_a_part_of_the_face(rig.joints[index].name) ||
+                     (parent >= 0 && in_face[static_cast<size_t>(parent)]);
+  }
+  return in_face;
 }
 
 }  // namespace
@@ -75,12 +88,13 @@ std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint) 
 
 Vec3 far_end(const RigMotion& motion, BodyJoint joint) {
   const int top = motion.joints[joint].rotation();
+  const std::vector<bool> is_in_face = joints_of_face(motion.rig);
   Vec3 farthest = Vec3::Zero();
   const auto consider = [&](const Vec3& end) {
     if (end.norm() > farthest.norm()) farthest = end;
   };
   for (int j = top; j < motion.rig.size(); ++j) {
-    if (common_ancestor(motion.rig, top, j) != top) continue;
+    if (is_in_face[static_cast<size_t>(j)] || common_ancestor(motion.rig, top, j) != top) continue;
     const Vec3 tip = motion.rig.joints[j].tip.value_or(Vec3::Zero());
     Vec3 mean = Vec3::Zero();
     for (const JointTransforms& frame : motion.frames) {

@@ -44,7 +44,8 @@ std::optional<BodyJoint> next_present(const RigMotion& motion, BodyJoint joint);
 
 /// Position of the farthest descendant or tip (fingers, crown) of the rig joint that `joint`
 /// follows, in that rig joint's coordinates and in the rig's unit; averaged over all frames of the
-/// motion. Zero if there is none.
+/// motion. Joints named as parts of the face, such as eyes and jaw, do not count. Zero if there is
+/// none.
 Vec3 far_end(const RigMotion& motion, BodyJoint joint);
 
 /// The axis (±X, ±Y, ±Z) nearest to the mean, over the frames, of the unit vector from the ankles'

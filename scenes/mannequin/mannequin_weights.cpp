@@ -49,17 +49,25 @@ struct Weigher {
     return (pose.rotations[joint] * motion::rest_direction(joint)).normalized();
   }
 
+  /// 0 well before the joint, 1 well beyond it in that direction.
+  double beyond(const Hinge& hinge, BodyJoint joint, const Vec3& direction) const {
+    const double distance = direction.dot(point - at(joint)) / scale - hinge.ahead;
+    return smooth_step(0.5 + 0.5 * distance / hinge.reach);
+  }
+
   /// 0 well before the joint, 1 well beyond it, across the plane that halves the bend.
   double beyond(const Hinge& hinge, BodyJoint joint) const {
+    if (joint == motion::Head) {
+      // The whole skull goes with the head, and so does the jaw though it lies lower than the
+      // joint.
+      const motion::Quat& turn = pose.rotations[motion::Head];
+      const double skull = beyond(hinge, joint, turn * Vec3::UnitY());
+      const double jaw = beyond(hinge, joint, turn * Vec3(0.0, 0.6, 0.8));
+      return skull + jaw - skull * jaw;
+    }
     const Vec3 before = bone(BodyJoint(motion::body_parents[joint]));
-    // The jaw goes with the head though it lies lower than the joint.
-    const Vec3 to_jaw = pose.rotations[motion::Head] * Vec3(0.0, 0.6, 0.8);
     const bool branches = joint == motion::LeftHip || joint == motion::RightHip;
-    const Vec3 along = joint == motion::Head ? to_jaw
-                       : branches            ? bone(joint)
-                                             : (before + bone(joint)).normalized();
-    const double distance = along.dot(point - at(joint)) / scale - hinge.ahead;
-    return smooth_step(0.5 + 0.5 * distance / hinge.reach);
+    return beyond(hinge, joint, branches ? bone(joint) : (before + bone(joint)).normalized());
   }
 };
 

@@ -63,6 +63,39 @@ TEST(Calibration, MeasuresWhatTheZeroPoseHasWrong) {
   }
 }
 
+TEST(Calibration, StraightensHandsThatHangWhenAllRotationsAreZero) {
+  // As the skeletons of some studios: level arms, but fingers that point down.
+  FrameTurns turns;
+  turns.fill(Quat::Identity());
+  turns[LeftWrist] = about(Vec3::UnitZ(), -90 * radians_per_degree);
+  turns[RightWrist] = about(Vec3::UnitZ(), 90 * radians_per_degree);
+  const Calibration calibration = calibration_of(on_other_rig(steady(), turns));
+  EXPECT_TRUE(calibration.from_rest_pose);
+  for (const BodyJoint j : {LeftWrist, RightWrist}) {
+    EXPECT_LT(angle_between(calibration.to_body[j], turns[j].conjugate()), 2.0 * radians_per_degree)
+        << name_of(j);
+    EXPECT_GT(calibration.body.joints[j].tip->normalized().dot(rest_direction(j)), 0.99);
+  }
+}
+
+TEST(Calibration, DoesNotTakeEyesAndJawForTheCrown) {
+  Recording without = to_recording(steady());
+  without.skeleton.joints[Head].tip.reset();
+  Recording with_face = without;
+  const std::pair<const char*, Vec3> parts[] = {{"LeftEye", {0.03, 0.07, 0.08}},
+                                                {"RightEye", {-0.03, 0.07, 0.08}},
+                                                {"jaw", {0.0, -0.02, 0.05}},
+                                                {"jaw_end", {0.0, -0.05, 0.12}}};
+  for (const auto& [name, offset] : parts)
+    with_face.skeleton.joints.push_back({name, Head, offset, std::nullopt});
+  for (Pose& pose : with_face.poses)
+    pose.rotations.resize(with_face.skeleton.joints.size(), Quat::Identity());
+  const Calibration plain = calibration_of(without);
+  const Calibration faced = calibration_of(with_face);
+  EXPECT_LT(angle_between(plain.to_body[Head], faced.to_body[Head]), 1e-9);
+  EXPECT_LT((*plain.body.joints[Head].tip - *faced.body.joints[Head].tip).norm(), 1e-9);
+}
+
 TEST(Calibration, DoesNotTakeALineOfBonesForAFigure) {
   const Recording recording = on_other_rig(steady(), bones_along_x());
   const MappedJoints joints = joints_of(recording);

@@ -9,6 +9,7 @@
 #include "motion/skeleton/body.h"
 #include "scenes/closed_surface.h"
 #include "scenes/mannequin/mannequin.h"
+#include "scenes/mannequin/mannequin_landmarks.h"
 #include "scenes/walking_clip.h"
 
 #include "real_data.h"
@@ -135,7 +136,8 @@ std::vector<NamedBody> made_bodies() {
           {"hips before the root", with_hips_before_the_root()},
           {"long neck", with_head(Vec3(0, 0.20, 0), 0.17)},
           {"head's joint at the nape", with_head(Vec3(0, 0.03, 0), 0.24)},
-          {"head's end at the eyes", with_head(Vec3(0, 0.12, 0), 0.09)}};
+          {"head's end at the eyes", with_head(Vec3(0, 0.12, 0), 0.09)},
+          {"head far before the neck", with_head(Vec3(0, 0.06, 0.14), 0.12)}};
 }
 
 std::vector<NamedBody> real_bodies(const std::filesystem::path& folder) {
@@ -144,7 +146,9 @@ std::vector<NamedBody> real_bodies(const std::filesystem::path& folder) {
        {"mocap/aalto-two-actors/k_walk_fast_k_walk_angry_k_walk_regular_100_000_000.bvh",
         "mocap/aalto-two-actors/t_walk_fast_t_walk_angry_t_walk_regular_100_000_000.bvh",
         "mocap/bandai-namco-1/dataset-1_walk_normal_001.bvh", "mocap/cmu/01_01.bvh",
-        "mocap/cmu/02_01.amc", "characters/cesium_man.gltf"}) {
+        "mocap/cmu/02_01.amc", "mocap/bandai-namco-1/dataset-1_walk_old_001.bvh",
+        "recordings/opensim/subject01_walk1.trc", "recordings/opensim/walk_free_01.trc",
+        "characters/cesium_man.gltf"}) {
     bodies.push_back({file, motion::to_body(motion::read_motion(folder / file)).body});
   }
   return bodies;
@@ -223,6 +227,26 @@ double depth_of_groin(const Skeleton& body) {
 
 TEST(AMannequinOnAnyRig, HasAWaistAndAHeadOfAHuman) {
   for (const NamedBody& named : made_bodies()) expect_a_human_shape(named);
+}
+
+/// Or else a neck that bends forward leaves a hole in the back of the head.
+TEST(AMannequinOnAnyRig, HasASkullThatMovesAsAWhole) {
+  for (const NamedBody& named : made_bodies()) {
+    const Mannequin mannequin = make_mannequin(named.body, {}, colours_of(Role::created));
+    const double scale = motion::relative_stature(named.body);
+    const double joint = mannequin.bind.positions[motion::Head].y() +
+                         std::max(head_shape(named.body).raise.y(), 0.0);
+    int counted = 0;
+    for (size_t v = 0; v < mannequin.mesh.positions.size(); ++v) {
+      if (mannequin.mesh.positions[v].y() < joint + 0.045 * scale) continue;
+      ++counted;
+      for (const Influence& influence : mannequin.mesh.influences[v]) {
+        if (influence.joint == motion::Head) continue;
+        EXPECT_LT(influence.weight, 0.02f) << named.name << " " << mannequin.mesh.positions[v];
+      }
+    }
+    EXPECT_GT(counted, 100) << named.name;
+  }
 }
 
 TEST(AMannequinOnAnyRig, HasFleshBetweenItsHips) {
