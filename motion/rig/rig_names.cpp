@@ -31,9 +31,23 @@ struct NamedRig {
   }
 };
 
+/// Length of what all names begin with, up to a separator: "Anna_" of "Anna_Hips", "Anna_LeftArm".
+size_t common_prefix(const Skeleton& rig) {
+  if (rig.size() < 2) return 0;
+  std::string_view prefix = rig.joints.front().name;
+  for (const Joint& joint : rig.joints) {
+    const auto [end, other] = std::ranges::mismatch(prefix, joint.name);
+    prefix = prefix.substr(0, static_cast<size_t>(end - prefix.begin()));
+  }
+  const size_t separator = prefix.find_last_of("_:.- ");
+  return separator == std::string_view::npos ? 0 : separator + 1;
+}
+
 NamedRig named_rig(const Skeleton& rig) {
   NamedRig named{rig, {}};
-  for (const Joint& joint : rig.joints) named.words.push_back(joint_word(joint.name));
+  const size_t prefix = common_prefix(rig);
+  for (const Joint& joint : rig.joints)
+    named.words.push_back(joint_word(std::string_view(joint.name).substr(prefix)));
   return named;
 }
 

@@ -1,6 +1,7 @@
 #include "motion/formats/reading/chosen_subject.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -18,9 +19,29 @@ std::size_t number_in(const std::string& text) {
   return result.ec == std::errc() && result.ptr == end ? number : 0;
 }
 
+/// "Anna" and "Ben" of "Anna_Hips" and "Ben_Hips"; the names themselves unless all end alike, in a
+/// word for the root.
+std::vector<std::string> without_root(std::vector<std::string> names) {
+  if (names.size() < 2) return names;
+  const std::size_t separator = names.front().find_last_of("_:.- ");
+  if (separator == std::string::npos) return names;
+  const std::string ending = names.front().substr(separator);
+  std::string word;
+  for (const char c : ending.substr(1))
+    word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const bool is_root = word == "hips" || word == "hip" || word == "pelvis" || word == "root";
+  const bool is_common = std::ranges::all_of(names, [&](const std::string& name) {
+    return name.size() > ending.size() && name.ends_with(ending);
+  });
+  if (is_root && is_common)
+    for (std::string& name : names) name.resize(name.size() - ending.size());
+  return names;
+}
+
 }  // namespace
 
-std::vector<std::string> subject_names(const std::vector<std::string>& names) {
+std::vector<std::string> subject_names(const std::vector<std::string>& given) {
+  const std::vector<std::string> names = without_root(given);
   std::vector<std::string> distinct;
   std::set<std::string> taken;
   for (std::size_t i = 0; i < names.size(); ++i) {

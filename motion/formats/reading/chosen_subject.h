@@ -10,8 +10,9 @@
 namespace mien::motion {
 
 /// Names of the people of a file as they can be asked for: a person without a name is "subject 2"
-/// by his place in the file, and a second one named "Anna" is "Anna 2".
-std::vector<std::string> subject_names(const std::vector<std::string>& names);
+/// by their place in the file, and a second one named "Anna" is "Anna 2". If all are names of roots
+/// that end alike, as in "Anna_Hips" and "Ben_Hips", they are "Anna" and "Ben".
+std::vector<std::string> subject_names(const std::vector<std::string>& given);
 
 /// Index of the person that is asked for by name or, if nobody has that name, by number from 1;
 /// the first if nobody is asked for. There is at least one name. Throws mien::Error at `place`,

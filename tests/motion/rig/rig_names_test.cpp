@@ -48,6 +48,25 @@ TEST(RigNames, AreReadInTheSpellingsOfCommonRigs) {
   EXPECT_EQ(joint_word("§§42").word, "");
 }
 
+// In files with several people, their names often stand before those of their joints.
+TEST(RigNames, MayAllBeginWithTheNameOfThePerson) {
+  for (const std::span<const NamedJoint> names :
+       {std::span<const NamedJoint>(cmu_like), std::span<const NamedJoint>(xsens_like)}) {
+    const Skeleton plain = rig_of(names);
+    const auto expected = key_joints_by_name(plain);
+    ASSERT_TRUE(expected);
+    for (const char* const person : {"Anna_", "Left hand of Ben ", "Character1:"}) {
+      Skeleton prefixed = plain;
+      for (Joint& joint : prefixed.joints) joint.name = person + joint.name;
+      const auto found = key_joints_by_name(prefixed);
+      ASSERT_TRUE(found) << person;
+      EXPECT_EQ(found->left.wrist, expected->left.wrist) << person;
+      EXPECT_EQ(found->right.toe, expected->right.toe) << person;
+      EXPECT_EQ(found->left.upper_arm, expected->left.upper_arm) << person;
+    }
+  }
+}
+
 TEST(RigNames, TellTheTwoMeaningsOfShoulder) {
   // Clavicle where there is an upper arm besides …
   const Skeleton cmu = rig_of(cmu_like);
