@@ -8,8 +8,10 @@
 #include "motion/error.h"
 #include "motion/fitting/attachments.h"
 #include "motion/fitting/body_tracks.h"
+#include "motion/fitting/feet_without_points.h"
 #include "motion/fitting/fitted_proportions.h"
 #include "motion/fitting/fitted_set.h"
+#include "motion/fitting/hip_origin.h"
 #include "motion/fitting/initial_poses.h"
 #include "motion/fitting/least_squares_pass.h"
 #include "motion/fitting/segment_gaps.h"
@@ -137,8 +139,9 @@ void warn_of_parts_at_rest(const BodyTracks& tracks, FittedMotion& fitted) {
     }
     if (!is_known(tracks.joints[left ? LeftToe : RightToe])) {
       fitted.warnings.push_back("The " + side +
-                                " foot has no points in front of the ankle: it stays at a right "
-                                "angle to the shank.");
+                                " foot has no points in front of the ankle: it lies flat while "
+                                "the ankle is low, and otherwise is at a right angle to the "
+                                "shank.");
     }
   }
   if (!is_known(tracks.chest_up)) {
@@ -202,27 +205,64 @@ void add_notes(const PointRecording& recording, const FrameRange& range, FittedM
                            std::to_string(recording.frame_count()) +
                            "; in the others the pelvis is not seen.");
   }
-  if (std::abs(fitted.raised) >= 0.005) {
+  if (fitted.is_relative_to_hips) {
+    fitted.notes.emplace_back(
+        "The positions are relative to the hips, which are at the origin in every frame: the "
+        "motion is in place, and its lower foot is put on the floor in each frame, so that flights "
+        "of running and jumping are not seen.");
+  } else if (std::abs(fitted.raised) >= 0.005) {
     fitted.notes.push_back(
         "The motion was " + std::string(fitted.raised > 0 ? "raised" : "lowered") + " by " +
         in_words(std::abs(fitted.raised) * 100.0, 1) + " cm so that the feet stand on the floor.");
   }
 }
 
-/// Height of the floor under feet of which only the ankles are known.
-double floor_below_ankles(const Clip& clip) {
-  std::vector<double> heights;
-  for (const std::vector<Vec3>& joints : joint_paths(clip)) {
-    heights.push_back(std::min(joints[LeftAnkle].y(), joints[RightAnkle].y()));
+void raise(const std::vector<double>& lifts, FittedMotion& fitted) {
+  for (std::size_t frame = 0; frame < fitted.clip.poses.size(); ++frame) {
+    fitted.clip.poses[frame].root_position.y() += lifts[frame];
+    fitted.raised_by_frame[frame] += lifts[frame];
   }
-  return percentile(heights, 3.0) - 0.08 * relative_stature(clip.body);
+}
+
+void raise(double lift, FittedMotion& fitted) {
+  raise(std::vector<double>(fitted.clip.poses.size(), lift), fitted);
+}
+
+/// Puts ankles that stand where they are in standing. If the file has its floor at 0, the feet are
+/// as high as the ankles tell; then both feet stand on it although one ankle is higher.
+void put_ankles_on_floor(FittedMotion& fitted) {
+  Clip& clip = fitted.clip;
+  if (fitted.is_relative_to_hips) {
+    std::vector<std::vector<double>> heights;
+    for (const std::vector<Vec3>& joints : joint_paths(clip))
+      heights.push_back({joints[LeftAnkle].y() - ankle_height_on_floor(clip.body, true),
+                         joints[RightAnkle].y() - ankle_height_on_floor(clip.body, false)});
+    raise(smooth_lifts(heights, clip.frames_per_second), fitted);
+    return;
+  }
+  const double left = standing_ankle_height(clip, true);
+  const double right = standing_ankle_height(clip, false);
+  const double lower = std::min(left, right);
+  const bool is_from_floor = fitted.axes.floor == 0.0 && lower > 0.02;
+  if (is_from_floor) set_ankle_height(lower, left == lower, clip.body);
+  raise(ankle_height_on_floor(clip.body, left == lower) - lower, fitted);
+  const double higher = std::max(left, right) + fitted.raised_by_frame.front();
+  set_ankle_height(higher, left != lower, clip.body);
 }
 
 void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
-  const bool has_feet = is_known(tracks.joints[LeftToe]) || is_known(tracks.joints[RightToe]);
-  const double floor = has_feet ? floor_height(fitted.clip) : floor_below_ankles(fitted.clip);
-  fitted.raised = -floor;
-  for (Pose& pose : fitted.clip.poses) pose.root_position.y() += fitted.raised;
+  const bool has_left = is_known(tracks.joints[LeftToe]);
+  const bool has_right = is_known(tracks.joints[RightToe]);
+  Clip& clip = fitted.clip;
+  if (!has_left && !has_right)
+    put_ankles_on_floor(fitted);
+  else if (!fitted.is_relative_to_hips)
+    raise(-floor_height(clip), fitted);
+  if (!has_left) turn_foot_by_floor(clip, true);
+  if (!has_right) turn_foot_by_floor(clip, false);
+  if (fitted.is_relative_to_hips)
+    raise(smooth_lifts(sole_heights(clip), clip.frames_per_second), fitted);
+  fitted.raised = percentile(fitted.raised_by_frame, 50.0);
 }
 
 }  // namespace
@@ -234,6 +274,8 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   fitted.marker_set = set.name;
   if (!chosen.subject.empty()) fitted.notes.push_back(note_on_people(recording, chosen.subject));
   fitted.axes = point_axes(recording);
+  fitted.is_relative_to_hips = !fitted.axes.is_up_by_floor &&
+                               has_origin_at_hips(recording, set, fitted.axes.metres_per_unit);
   FilledPoints complete = filled(recording, options.max_gap_seconds);
   complete.recording = in_metres_y_up(std::move(complete.recording), fitted.axes);
   const PointTracks points{complete.recording, set};
@@ -255,6 +297,7 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   clip.poses = first_poses;
   clip.poses = least_squares_pass(points, clip.body, attached(), first_poses, range);
   set_residuals(points, complete.filled, attached(), range, fitted);
+  fitted.raised_by_frame.assign(clip.poses.size(), 0.0);
   if (!fitted.axes.is_up_by_floor) put_on_floor(tracks, fitted);
   for (const BodyJoint toe : {LeftToe, RightToe}) {
     if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);

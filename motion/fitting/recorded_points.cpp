@@ -15,10 +15,12 @@ Markers markers_of_points(const PointRecording& points, const PointAxes& axes,
   const FilledPoints whole = filled(in_metres_y_up(points, axes));
   const int first = fit != nullptr ? fit->first_frame : 0;
   const int count = fit != nullptr ? fit->clip.frame_count() : points.frame_count();
-  const Vec3 raised = (fit != nullptr ? fit->raised : 0.0) * Vec3::UnitY();
   Markers markers;
   markers.points = points.points;
   for (int frame = first; frame < first + count; ++frame) {
+    const double lift =
+        fit != nullptr ? fit->raised_by_frame[static_cast<std::size_t>(frame - first)] : 0.0;
+    const Vec3 raised = lift * Vec3::UnitY();
     for (int point = 0; point < points.point_count(); ++point) {
       const std::size_t at = points.at(frame, point);
       const bool is_filled = whole.filled[at], is_seen = whole.recording.seen[at] && !is_filled;
@@ -43,8 +45,8 @@ RecordedPoints recorded_points(const PointRecording& points) {
   } catch (const Error& error) {
     result.rejection = error.what();
   }
-  Markers markers = markers_of_points(points, result.fit ? result.fit->axes : point_axes(points),
-                                      result.fit ? &*result.fit : nullptr);
+  const PointAxes axes = result.fit ? result.fit->axes : point_axes(points);
+  Markers markers = markers_of_points(points, axes, result.fit ? &*result.fit : nullptr);
   Recording& recording = result.recording;
   recording =
       to_recording(result.fit ? result.fit->clip
@@ -58,6 +60,7 @@ RecordedPoints recorded_points(const PointRecording& points) {
     for (const auto* sentences : {&result.fit->notes, &result.fit->warnings})
       recording.notes.insert(recording.notes.end(), sentences->begin(), sentences->end());
   } else {
+    if (!axes.note.empty()) recording.notes.push_back(axes.note);
     recording.notes.push_back("The points cannot be fitted to a body: " + result.rejection);
   }
   recording.markers = std::move(markers);

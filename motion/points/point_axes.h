@@ -13,19 +13,20 @@ struct PointAxes {
   double metres_per_unit = 1.0;
   double floor = 0.0;            ///< height of the floor in the file, along `up`, metres
   bool is_unit_guessed = false;  ///< the file states no unit
+  bool is_up_assumed = false;    ///< neither names nor data tell which way is up (upward.h)
   bool is_up_by_floor = false;   ///< the body lies or is upside down: the floor is not at its feet
   std::string note;              ///< a sentence about what is uncertain; may be empty
 };
 
 /// Finds the axes by the data; those that the file states are often wrong.
 ///
-/// Up: where the names of the points tell (marker_sets.h), from the feet to the head and trunk,
-/// else from the feet to the pelvis; otherwise the axis along which the body is longest in most
-/// frames and moves about least, towards the end that the lowest points do not share: feet come to
-/// rest on one level, heads do not. People who lie, or in C3D and TRC files stand on their hands,
+/// Up: by the names of the points, else by the shape of the cloud, else as is usual in the format
+/// (upward.h); then it is assumed, and the note says so. People who lie, or in C3D and TRC files
+/// stand on their hands,
 /// are recognized by the floor: +Y or +Z is up if the points begin at its zero (below) in all
 /// frames, but not at that of the body's own axis, and the body extends along it by less than half
-/// of its length or is upside down; the note says so. Unit: as the file states it, otherwise the
+/// of its length or is upside down, and it does not stand along the usual axis of the format; the
+/// note says so. Unit: as the file states it, otherwise the
 /// one in which the body is of human height (unit_guess.h), or 0.5–2.5 m tall in metres,
 /// centimetres or millimetres. Floor: the file's zero if the lowest point (3rd percentile over the
 /// frames) is within −0.02 and 0.12 m of it, otherwise the height of that point.

@@ -157,6 +157,7 @@ ordered_json as_json(const PointsSummary& summary) {
                          {"unit", summary.points.unit},
                          {"unit_m", summary.axes.metres_per_unit},
                          {"up", summary.axes.up},
+                         {"up_assumed", summary.axes.is_up_assumed},
                          {"missing_share", rounded(summary.gaps.missing_share)},
                          {"longest_gap_s", rounded(summary.gaps.longest_gap_seconds)},
                          {"points", points},
@@ -207,11 +208,11 @@ void show_text(const PointsSummary& summary, const Console& console) {
   const motion::PointRecording& points = summary.points;
   console.out << fmt::format("points   {}, {}\n", points.point_count(),
                              summary.set.name.empty() ? "no known marker set" : summary.set.name);
-  console.out << fmt::format("axes     {} up, in {}\n", summary.axes.up,
-                             points.unit.empty()
-                                 ? "a unit that the file does not state, taken to be " +
-                                       unit_name(summary.axes.metres_per_unit)
-                                 : points.unit);
+  console.out << fmt::format(
+      "axes     {} up{}, in {}\n", summary.axes.up, summary.axes.is_up_assumed ? " (assumed)" : "",
+      points.unit.empty() ? "a unit that the file does not state, taken to be " +
+                                unit_name(summary.axes.metres_per_unit)
+                          : points.unit);
   if (summary.gaps.missing_share > 0.0)
     console.out << fmt::format("missing  {:.1f} %, longest gap {:.2f} s ({})\n",
                                100.0 * summary.gaps.missing_share, summary.gaps.longest_gap_seconds,
