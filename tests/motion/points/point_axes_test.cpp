@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "motion/fitting/virtual_points.h"
+#include "motion/points/marker_sets.h"
 
 namespace mien::motion {
 namespace {
@@ -101,6 +103,75 @@ TEST(PointAxes, WhoStandsOnTheHandsIsToldByTheFloorOfALaboratory) {
   PointRecording y_down = with_up(recorded(truth(), plug_in_gait_markers()), "-Y");
   y_down.format = "c3d";
   EXPECT_EQ(point_axes(y_down).up, "-Y") << "no floor at 0 above";
+}
+
+/// Some points of the left leg and the pelvis under names that belong to no set, at a height at
+/// which no floor is at 0.
+PointRecording one_leg() {
+  PointRecording leg = recorded(truth(), {{"toe", LeftToe, {0, 0.01, 0}},
+                                          {"heel", LeftAnkle, {0, -0.05, -0.06}},
+                                          {"latAnkle", LeftAnkle, {0.03, 0, 0}},
+                                          {"medKnee", LeftKnee, {-0.05, 0, 0}},
+                                          {"rASIS", Pelvis, {-0.12, 0.08, 0.1}},
+                                          {"lPSIS", Pelvis, {0.04, 0.09, -0.1}}});
+  for (Vec3& place : leg.positions) place.y() -= 0.4;
+  leg.format = "trc";
+  return leg;
+}
+
+TEST(PointAxes, WordsInNamesTellUpWithoutAKnownSet) {
+  ASSERT_EQ(recognised_marker_set(one_leg().points).name, "");
+  for (const std::string up : {"+X", "-X", "+Y", "-Y", "+Z", "-Z"}) {
+    const PointAxes axes = point_axes(with_up(one_leg(), up));
+    EXPECT_EQ(axes.up, up);
+    EXPECT_FALSE(axes.is_up_assumed);
+  }
+}
+
+TEST(PointAxes, ABodyAlongTheUsualAxisIsNotTakenToLieBecauseOfAZeroBesideIt) {
+  PointRecording leg = one_leg();
+  for (int frame = 0; frame < leg.frame_count(); ++frame) {
+    double nearest = 1e9;
+    for (int point = 0; point < leg.point_count(); ++point)
+      nearest = std::min(nearest, leg.positions[leg.at(frame, point)].z());
+    for (int point = 0; point < leg.point_count(); ++point)
+      leg.positions[leg.at(frame, point)].z() += 0.02 - nearest;
+  }
+  EXPECT_EQ(point_axes(leg).up, "+Y");
+  leg.format = "csv";
+  EXPECT_NE(point_axes(leg).up, "+Y") << "the zero of +Z looks like a floor";
+}
+
+/// Three points that tell nothing, one below the others.
+PointRecording rigid_body(const std::string& format) {
+  PointRecording body = recorded(truth(), {{"marker1", Chest, {0.3, -0.6, 0}},
+                                           {"marker2", Chest, {0.2, 0, 0.1}},
+                                           {"marker3", Chest, {0, 0.1, -0.1}}});
+  body.format = format;
+  return body;
+}
+
+TEST(PointAxes, UpIsAssumedToBeThatOfTheFormatIfNothingTellsIt) {
+  for (const auto& [format, up] : {std::pair{"trc", "+Y"}, std::pair{"c3d", "+Z"}}) {
+    const PointAxes axes = point_axes(rigid_body(format));
+    EXPECT_EQ(axes.up, up);
+    EXPECT_TRUE(axes.is_up_assumed);
+    EXPECT_NE(axes.note.find(std::string(up) + " is assumed, as is usual in "), std::string::npos);
+  }
+  const PointAxes axes = point_axes(rigid_body("bids"));
+  EXPECT_TRUE(axes.is_up_assumed);
+  EXPECT_NE(axes.note.find(axes.up + " is assumed."), std::string::npos);
+}
+
+TEST(PointAxes, AWalkerWithoutNamesTellsUpAgainstTheFormatAndOneWhoLiesDoesNot) {
+  PointRecording walked = with_up(unnamed(recorded(truth(), plug_in_gait_markers())), "-Y");
+  walked.format = "c3d";
+  EXPECT_EQ(point_axes(walked).up, "-Y");
+  EXPECT_FALSE(point_axes(walked).is_up_assumed);
+  PointRecording lying = with_up(unnamed(still(0.0)), "+X");
+  lying.format = "c3d";
+  EXPECT_EQ(point_axes(lying).up, "+Z");
+  EXPECT_TRUE(point_axes(lying).is_up_assumed);
 }
 
 TEST(PointAxes, BringPointsToYUpInMetresWithTheirHeading) {
