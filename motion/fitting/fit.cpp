@@ -8,17 +8,16 @@
 #include "motion/error.h"
 #include "motion/fitting/attachments.h"
 #include "motion/fitting/body_tracks.h"
-#include "motion/fitting/feet_without_points.h"
+#include "motion/fitting/fitted_floor.h"
 #include "motion/fitting/fitted_proportions.h"
 #include "motion/fitting/fitted_set.h"
 #include "motion/fitting/hip_origin.h"
 #include "motion/fitting/initial_poses.h"
 #include "motion/fitting/least_squares_pass.h"
 #include "motion/fitting/segment_gaps.h"
+#include "motion/math/percentile.h"
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
-#include "motion/rig/toe_bend.h"
-#include "motion/skeleton/floor.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::motion {
@@ -217,54 +216,6 @@ void add_notes(const PointRecording& recording, const FrameRange& range, FittedM
   }
 }
 
-void raise(const std::vector<double>& lifts, FittedMotion& fitted) {
-  for (std::size_t frame = 0; frame < fitted.clip.poses.size(); ++frame) {
-    fitted.clip.poses[frame].root_position.y() += lifts[frame];
-    fitted.raised_by_frame[frame] += lifts[frame];
-  }
-}
-
-void raise(double lift, FittedMotion& fitted) {
-  raise(std::vector<double>(fitted.clip.poses.size(), lift), fitted);
-}
-
-/// Puts ankles that stand where they are in standing. If the file has its floor at 0, the feet are
-/// as high as the ankles tell; then both feet stand on it although one ankle is higher.
-void put_ankles_on_floor(FittedMotion& fitted) {
-  Clip& clip = fitted.clip;
-  if (fitted.is_relative_to_hips) {
-    std::vector<std::vector<double>> heights;
-    for (const std::vector<Vec3>& joints : joint_paths(clip))
-      heights.push_back({joints[LeftAnkle].y() - ankle_height_on_floor(clip.body, true),
-                         joints[RightAnkle].y() - ankle_height_on_floor(clip.body, false)});
-    raise(smooth_lifts(heights, clip.frames_per_second), fitted);
-    return;
-  }
-  const double left = standing_ankle_height(clip, true);
-  const double right = standing_ankle_height(clip, false);
-  const double lower = std::min(left, right);
-  const bool is_from_floor = fitted.axes.floor == 0.0 && lower > 0.02;
-  if (is_from_floor) set_ankle_height(lower, left == lower, clip.body);
-  raise(ankle_height_on_floor(clip.body, left == lower) - lower, fitted);
-  const double higher = std::max(left, right) + fitted.raised_by_frame.front();
-  set_ankle_height(higher, left != lower, clip.body);
-}
-
-void put_on_floor(const BodyTracks& tracks, FittedMotion& fitted) {
-  const bool has_left = is_known(tracks.joints[LeftToe]);
-  const bool has_right = is_known(tracks.joints[RightToe]);
-  Clip& clip = fitted.clip;
-  if (!has_left && !has_right)
-    put_ankles_on_floor(fitted);
-  else if (!fitted.is_relative_to_hips)
-    raise(-floor_height(clip), fitted);
-  if (!has_left) turn_foot_by_floor(clip, true);
-  if (!has_right) turn_foot_by_floor(clip, false);
-  if (fitted.is_relative_to_hips)
-    raise(smooth_lifts(sole_heights(clip), clip.frames_per_second), fitted);
-  fitted.raised = percentile(fitted.raised_by_frame, 50.0);
-}
-
 }  // namespace
 
 FittedMotion fit_body(const PointRecording& recording, const FitOptions& options) {
@@ -299,9 +250,8 @@ FittedMotion fit_body(const PointRecording& recording, const FitOptions& options
   set_residuals(points, complete.filled, attached(), range, fitted);
   fitted.raised_by_frame.assign(clip.poses.size(), 0.0);
   if (!fitted.axes.is_up_by_floor) put_on_floor(tracks, fitted);
-  for (const BodyJoint toe : {LeftToe, RightToe}) {
-    if (!is_known(tracks.tips[toe])) bend_toes_at_floor(clip, toe);
-  }
+  fitted.raised = percentile(fitted.raised_by_frame, 50.0);
+  bend_unknown_toes(tracks, clip);
   add_notes(recording, range, fitted);
   if (!fitted.axes.is_up_by_floor) warn_of_exchanged_sides(tracks, fitted);
   warn_of_parts_at_rest(tracks, fitted);

@@ -213,8 +213,8 @@ Upward upward_by_shape(const PointRecording& recording) {
   const double steadier = std::min(best.low_spread, best.high_spread);
   const double looser = std::max(best.low_spread, best.high_spread);
   const bool is_clear = recording.point_count() >= fewest_points && best.score > 1.5 * second &&
-                        has_height_of_person(recording, best.size) && looser > 0.005 * best.size &&
-                        steadier < 0.8 * looser;
+                        has_height_of_person(recording, best.size) && looser > 0.015 * best.size &&
+                        steadier < 0.5 * looser;
   upward.evidence = is_clear ? UpwardEvidence::shape : UpwardEvidence::nothing;
   return upward;
 }

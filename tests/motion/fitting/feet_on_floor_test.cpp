@@ -9,7 +9,9 @@
 #include "motion/fitting/hip_origin.h"
 #include "motion/fitting/recorded_points.h"
 #include "motion/fitting/virtual_points.h"
+#include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
+#include "motion/skeleton/floor.h"
 #include "motion/skeleton/sole.h"
 
 namespace mien::motion {
@@ -87,6 +89,23 @@ TEST(PointsRelativeToTheHips, AreNotThoseOfSomeoneWhoStartsAtTheOrigin) {
   const Vec3 first = walked.positions.front();
   for (Vec3& place : walked.positions) place -= first;
   EXPECT_FALSE(fit_body(walked).is_relative_to_hips);
+}
+
+TEST(FittedMotions, StayWhereTheyAreWhenTheyAreReadAsSkeletons) {
+  const Clip clip = truth();
+  for (const auto& set : {plug_in_gait_markers(), media_pipe_landmarks(), human36m_joints()}) {
+    SCOPED_TRACE(set.front().name);
+    PointRecording points = recorded(clip, set);
+    for (Vec3& place : points.positions) place.y() += 0.03;
+    const FittedMotion fitted = fit_body(points);
+    EXPECT_NEAR(floor_height(fitted.clip), 0.0, 2e-5);
+    const Clip again = to_body(to_recording(fitted.clip));
+    const auto before = joint_paths(fitted.clip);
+    const auto after = joint_paths(again);
+    for (std::size_t frame = 0; frame < before.size(); ++frame)
+      for (const BodyJoint joint : {Pelvis, Head, LeftWrist, RightAnkle})
+        EXPECT_LT((after[frame][joint] - before[frame][joint]).norm(), 1e-4);
+  }
 }
 
 TEST(SmoothLifts, DoNotJerkByASingleFrame) {

@@ -168,7 +168,9 @@ TEST(PointAxes, AWalkerWithoutNamesTellsUpAgainstTheFormatAndOneWhoLiesDoesNot) 
   walked.format = "c3d";
   EXPECT_EQ(point_axes(walked).up, "-Y");
   EXPECT_FALSE(point_axes(walked).is_up_assumed);
-  PointRecording lying = with_up(unnamed(still(0.0)), "+X");
+  Clip still_walker = truth();
+  still_walker.poses.assign(30, still_walker.poses.front());
+  PointRecording lying = with_up(unnamed(recorded(still_walker, plug_in_gait_markers())), "+X");
   lying.format = "c3d";
   EXPECT_EQ(point_axes(lying).up, "+Z");
   EXPECT_TRUE(point_axes(lying).is_up_assumed);
