@@ -36,8 +36,9 @@ size_t common_prefix(const Skeleton& rig) {
   if (rig.size() < 2) return 0;
   std::string_view prefix = rig.joints.front().name;
   for (const Joint& joint : rig.joints) {
-    const auto [end, other] = std::ranges::mismatch(prefix, joint.name);
-    prefix = prefix.substr(0, static_cast<size_t>(end - prefix.begin()));
+    const auto parted =
+        std::mismatch(prefix.begin(), prefix.end(), joint.name.begin(), joint.name.end());
+    prefix = prefix.substr(0, static_cast<size_t>(parted.first - prefix.begin()));
   }
   const size_t separator = prefix.find_last_of("_:.- ");
   return separator == std::string_view::npos ? 0 : separator + 1;

@@ -1,5 +1,6 @@
 // The scenes that mien and its peers draw (walking_scene.h, walking_mannequin.h), for comparison
-// with them. The first argument may be --figure=mannequin; the figure is made of sticks otherwise.
+// with them. The first argument may be --figure=mannequin, or --figure=flat-mannequin for one whose
+// triangles are not shaded smoothly; the figure is made of sticks otherwise.
 //
 //   peer_scene write SCENE.json            for the peers; meshes are in SCENE.json.vertices: of
 //   each
@@ -233,9 +234,11 @@ int main(int argc, char** argv) {
   SceneAt scene_at = [&](int frame) { return scene_of(joints_at(clip, frame)); };
   std::unique_ptr<const WalkingMannequin> mannequin;
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && words[0] == "--figure=mannequin") {
+  const bool is_flat = !words.empty() && words[0] == "--figure=flat-mannequin";
+  if (is_flat || (!words.empty() && words[0] == "--figure=mannequin")) {
     words.erase(words.begin());
-    mannequin = std::make_unique<const WalkingMannequin>(clip);
+    mannequin =
+        std::make_unique<const WalkingMannequin>(clip, is_flat ? Shading::flat : Shading::smooth);
     scene_at = [&](int frame) { return mannequin->scene_at(frame); };
   }
   const std::string what = words.empty() ? "" : words[0];
@@ -270,7 +273,7 @@ int main(int argc, char** argv) {
                   words[4] == "matte", words[5]);
     return 0;
   }
-  std::cerr << "peer_scene [--figure=mannequin] write SCENE.json | measure FRAMES REFERENCE "
+  std::cerr << "peer_scene [--figure=[flat-]mannequin] write SCENE.json | measure FRAMES REFERENCE "
                "[SAMPLES…] | draw FRAMES SAMPLES standing|moving | "
                "picture FRAME SAMPLES standing|moving|close matte|sheen FILE\n";
   return 2;
