@@ -118,7 +118,7 @@ TEST(Npz, EncryptedRepeatedAndMissingArraysAreRefused) {
 
 TEST(Npz, ADamagedArrayIsFound) {
   std::string file = npz_file({{"poses", npy_f8("(2,)", {1, 2})}});
-  file[file.find("poses.npy") + 9 + 130] ^= 1;  // in the elements; the checksum differs
+  file[file.find("poses.npy") + 9 + 140] ^= 1;  // in the elements; the checksum differs
   EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
 }
 
