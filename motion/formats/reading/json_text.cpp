@@ -21,8 +21,9 @@ std::string without_nan(std::string_view text) {
     } else if (json[i] == '"') {
       is_quoted = !is_quoted;
     } else if (!is_quoted && json[i] == 'N' && json.compare(i, 3, "NaN") == 0) {
-      json.replace(i, 3, "\"\" ");
-      i += 2;
+      json[i] = '"';
+      json[++i] = '"';
+      json[++i] = ' ';
     }
   }
   return json;

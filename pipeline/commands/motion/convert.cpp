@@ -72,7 +72,8 @@ motion::Recording fitted(const motion::PointRecording& points, const ConvertOpti
 motion::Recording read_skeleton(motion::Recording recording, const ConvertOptions& options,
                                 const Console& console) {
   for (const std::string& note : recording.notes) warn(options, console, note);
-  const motion::MotionFormat& format = motion::written_format(options.out);
+  const std::filesystem::path out = options.out;
+  const motion::MotionFormat& format = motion::written_format(out);
   if (options.body || format.is_of_body) return motion::to_recording(motion::to_body(recording));
   if (!format.is_metric) return recording;
   const motion::RigAnalysis rig = motion::analyse_rig(recording);
@@ -84,7 +85,8 @@ motion::Recording read_skeleton(motion::Recording recording, const ConvertOption
 
 Conversion converted(motion::FileContents contents, const ConvertOptions& options,
                      const Console& console) {
-  const motion::MotionFormat& format = motion::written_format(options.out);
+  const std::filesystem::path out = options.out;
+  const motion::MotionFormat& format = motion::written_format(out);
   auto* points = std::get_if<motion::PointRecording>(&contents);
   if (points != nullptr && format.holds_points() && !options.body)
     return recorded(std::move(*points), options, console);

@@ -191,7 +191,7 @@ Regression regressed(const ChangedStudy& study) {
                  study.videos, {.audit_share = study.audits}, {});
 }
 
-const StimulusComparison& comparison_of(const Regression& regression, const std::string& id) {
+const StimulusComparison& comparison_of(const Regression& regression, std::string_view id) {
   return *std::ranges::find(regression.stimuli, id, &StimulusComparison::id);
 }
 

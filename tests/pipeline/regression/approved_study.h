@@ -74,6 +74,6 @@ pipeline::Regression regressed(const ChangedStudy& study);
 
 /// What became of one stimulus.
 const pipeline::StimulusComparison& comparison_of(const pipeline::Regression& regression,
-                                                  const std::string& id);
+                                                  std::string_view id);
 
 }  // namespace mien::test
