@@ -1,16 +1,19 @@
 #include "motion/examples/example_set.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include "motion/error.h"
 #include "motion/formats/fitted_file.h"
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
+#include "motion/text/frame_file_name.h"
 #include "motion/text/glob.h"
 #include "motion/text/nearest_word.h"
 
@@ -85,9 +88,9 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
   const size_t key_count = examples.front().keytimes.size();
   for (size_t i = 0; i < examples.size(); ++i) {
     if (examples[i].keytimes.size() != key_count) {
-      throw Error({(folder.path / loaded.file_stems[i]).string(), 0, 0},
-                  in_quotes(examples[i].name) + " has " +
-                      std::to_string(examples[i].keytimes.size()) + " keytimes and " +
+      throw Error({},
+                  "the example " + in_quotes(examples[i].name) + " has " +
+                      std::to_string(examples[i].keytimes.size()) + " keytimes, but " +
                       in_quotes(examples[0].name) + " has " + std::to_string(key_count),
                   "omit it with exclude, use whole motions with cycle: whole, or do not blend with "
                   "blend: false");
@@ -131,15 +134,22 @@ std::vector<fs::path> example_files(const ExampleFolder& folder) {
                 "name the folder that holds the motion files");
   }
   std::vector<fs::path> files;
+  const auto is_chosen = [&](const std::string& name) {
+    return matches_glob(folder.include, name) &&
+           (folder.exclude.empty() || !matches_glob(folder.exclude, name));
+  };
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;  // hidden: macOS puts "._walk.bvh" beside "walk.bvh"
+    if (!is_chosen(name)) continue;
+    if (entry.is_directory())
+      std::ranges::copy(keypoint_recordings(entry.path()), std::back_inserter(files));
+    if (!entry.is_regular_file() || frame_file_name(name)) continue;
     const bool is_named = is_motion_file(entry.path()) && names_ending(folder.include, name);
-    if (!entry.is_regular_file() || !(is_named || is_found_as_motion(entry.path()))) continue;
-    if (!matches_glob(folder.include, name)) continue;
-    if (!folder.exclude.empty() && matches_glob(folder.exclude, name)) continue;
-    files.push_back(entry.path());
+    if (is_named || is_found_as_motion(entry.path())) files.push_back(entry.path());
   }
+  for (const fs::path& frame : keypoint_recordings(folder.path))
+    if (is_chosen(frame.filename().string())) files.push_back(frame);
   std::sort(files.begin(), files.end());
   if (files.empty()) {
     throw Error({folder.path.string(), 0, 0},

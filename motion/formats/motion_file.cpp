@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,11 +16,13 @@
 #include "motion/formats/fbx/fbx.h"
 #include "motion/formats/fitted_file.h"
 #include "motion/formats/gltf/gltf.h"
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/keypoints/keypoints.h"
 #include "motion/formats/motion_format.h"
 #include "motion/formats/mvnx/mvnx.h"
 #include "motion/formats/numpy/npy_description.h"
 #include "motion/formats/numpy/npy_positions.h"
+#include "motion/formats/reading/given_rate.h"
 #include "motion/formats/smpl/smpl.h"
 #include "motion/formats/table/bids_motion.h"
 #include "motion/formats/table/point_table.h"
@@ -40,7 +43,7 @@ constexpr double least_rate = 0.1;
 constexpr double greatest_rate = 10000.0;
 
 FileContents read_gltf_file(const path& file, const ReadOptions& how) {
-  return read_gltf(file, how.take, how.subject);
+  return read_gltf(file, how.take, how.subject, how.frames_per_second);
 }
 
 // Theia's files hold rotations instead of points.
@@ -84,6 +87,10 @@ FileContents read_with(const path& file, const ReadOptions& how) {
   return reader(file, how);
 }
 
+Recording read_amc_file(const path& file, const ReadOptions& how) {
+  return read_amc(file, {.frames_per_second = how.frames_per_second});
+}
+
 Recording read_bvh_file(const path& file, const ReadOptions& how) { return read_bvh(file, how); }
 
 std::vector<std::string> trc_bytes(const PointRecording& points, const PointFile&) {
@@ -109,10 +116,7 @@ constexpr MotionFormat formats[] = {
      .is_streamed = true,
      .read = read_with<read_bvh_file>,
      .bytes_of_motion = to_bvh},
-    {.ending = ".amc",
-     .name = "Acclaim",
-     .part_ending = ".asf",
-     .read = [](const path& file, const ReadOptions&) { return FileContents(read_amc(file)); }},
+    {.ending = ".amc", .name = "Acclaim", .part_ending = ".asf", .read = read_with<read_amc_file>},
     {.ending = ".fbx",
      .name = "FBX",
      .has_takes = true,
@@ -216,6 +220,32 @@ std::string names_and_extensions(
   return words;
 }
 
+/// The first motion that may belong to a skeleton, "02_01.amc" for 02.asf; empty if there is none.
+std::string motion_beside(const path& skeleton) {
+  std::string first;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator entry(absolute(skeleton).parent_path(), failed), end;
+       !failed && entry != end; entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    if (lower_case_ending(name) == ".amc" && name.starts_with(recording_name(skeleton)) &&
+        (first.empty() || name < first))
+      first = name;
+  }
+  return first;
+}
+
+[[noreturn]] void refuse_format(const path& file) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown))
+    throw Error({file.string()}, "there is no such file", "check the name");
+  if (lower_case_ending(file) == ".asf") {
+    const std::string motion = motion_beside(file);
+    throw Error({file.string()}, "is the skeleton of Acclaim motions",
+                "name the motion, " + (motion.empty() ? "a file of .amc beside it" : motion));
+  }
+  throw Error({file.string()}, "is not a motion file that can be read", "use " + formats_read());
+}
+
 }  // namespace
 
 std::span<const MotionFormat> motion_formats() { return formats; }
@@ -263,14 +293,9 @@ bool may_hold_takes(const std::filesystem::path& path) {
 
 FileContents read_file(const std::filesystem::path& path, const ReadOptions& options) {
   std::error_code unknown;
-  if (std::filesystem::is_directory(path, unknown)) {
-    throw Error({path.string(), 0, 0}, "is a folder", "name a motion file in it");
-  }
-  const MotionFormat* format = motion_format(path);
-  if (format == nullptr) {
-    throw Error({path.string(), 0, 0}, "is not a motion file that can be read",
-                "use " + formats_read());
-  }
+  const bool is_folder = std::filesystem::is_directory(path, unknown);
+  const MotionFormat* format = motion_format(is_folder ? only_keypoint_recording(path) : path);
+  if (format == nullptr) refuse_format(path);
   if (options.take && !format->has_takes) {
     throw Error({path.string(), 0, 0}, "holds one motion, so no take can be chosen",
                 "omit the take; only " + formats_with_takes() + " can hold several");
@@ -290,8 +315,8 @@ FileContents read_file(const std::filesystem::path& path, const ReadOptions& opt
                 "give one from 0.1 to 10000 frames per second");
   }
   FileContents contents = format->read(path, options);
-  if (auto* recording = std::get_if<Recording>(&contents); recording && options.frames_per_second)
-    recording->frames_per_second = *options.frames_per_second;
+  std::visit([&](auto& read) { note_unused_rate(read.frames_per_second, options, read.notes); },
+             contents);
   return contents;
 }
 

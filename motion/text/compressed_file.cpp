@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include <zlib.h>
 
 #include "motion/error.h"
+#include "motion/text/frame_file_name.h"
 
 namespace mien::motion {
 
@@ -78,6 +80,7 @@ std::filesystem::path without_compression(const std::filesystem::path& path) {
 }
 
 std::string recording_name(const std::filesystem::path& path) {
+  if (const std::optional<FrameFileName> frame = frame_file_name(path)) return frame->recording;
   return without_compression(path).stem().string();
 }
 

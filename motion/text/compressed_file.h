@@ -15,7 +15,7 @@ inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b
 /// The path to take the ending from: "walk.bvh" of "walk.bvh.gz"; any other path is unchanged.
 std::filesystem::path without_compression(const std::filesystem::path& path);
 
-/// The name of a recording, from the name of its file: "walk" of "motions/walk.bvh.gz".
+/// The name of a file's recording: "walk" of "walk.bvh.gz", "walk_000000000012_keypoints.json".
 std::string recording_name(const std::filesystem::path& path);
 
 /// The most that a gzip file of `bytes` is inflated to: fifty times its size, but at least

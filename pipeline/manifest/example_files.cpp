@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_format.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/text/compressed_file.h"
+#include "motion/text/frame_file_name.h"
 
 namespace mien::pipeline {
 
@@ -73,9 +75,17 @@ bool may_hold_takes(const Examples& examples) {
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file) {
   const motion::MotionFormat* format = motion::motion_format(file);
   std::vector<std::filesystem::path> parts;
+  if (motion::frame_file_name(file)) {
+    parts = motion::keypoint_frames(absolute(file));
+    std::erase_if(parts, [&](const auto& frame) { return frame.filename() == file.filename(); });
+    return parts;
+  }
   if (format == nullptr || format->part_ending.empty()) return parts;
+  const bool is_bids = motion::without_compression(file).string().ends_with("_motion.tsv");
   for (const auto& entry : std::filesystem::directory_iterator(absolute(file).parent_path())) {
-    if (motion::lower_case_ending(entry.path()) == format->part_ending)
+    const std::string name = motion::without_compression(entry.path()).filename().string();
+    const bool are_channels = is_bids && name.ends_with("_channels.tsv");
+    if (motion::lower_case_ending(entry.path()) == format->part_ending || are_channels)
       parts.push_back(entry.path());
   }
   std::sort(parts.begin(), parts.end());

@@ -33,7 +33,8 @@ std::vector<std::string> stems_in_folder(const Examples& examples);
 bool may_hold_takes(const Examples& examples);
 
 /// Returns the companion files to which a motion file may refer: all files in its folder with the
-/// extension of its format's companion files (.asf for .amc), in upper or lower case.
+/// extension of its format's companion files (.asf for .amc), in upper or lower case; of BIDS
+/// motion also the channels, and of a frame of OpenPose the other frames of its recording.
 std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& file);
 
 /// Returns the answers in the file that the manifest's ratings name. Throws Error.

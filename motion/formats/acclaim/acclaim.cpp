@@ -16,6 +16,8 @@ namespace mien::motion {
 
 namespace {
 
+constexpr double cmu_rate = 120.0;  // of the CMU database
+
 class AmcReader {
  public:
   AmcReader(const NamedText& amc, const AcclaimSkeleton& skeleton)
@@ -220,7 +222,7 @@ Recording parse_amc(const NamedText& amc, const NamedText& asf,
   recording.format = "amc";
   recording.poses = reader.read();
   recording.frames_per_second =
-      frames_per_second ? *frames_per_second : reader.samples_per_second().value_or(120.0);
+      reader.samples_per_second().value_or(frames_per_second.value_or(cmu_rate));
   recording.skeleton = std::move(skeleton.skeleton);
   return recording;
 }

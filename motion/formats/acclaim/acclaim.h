@@ -12,7 +12,7 @@ namespace mien::motion {
 struct AcclaimOptions {
   /// The ASF file; if empty, see `find_asf`.
   std::optional<std::filesystem::path> skeleton = std::nullopt;
-  /// If empty, the AMC file's :SAMPLES-PER-SECOND, or 120, the rate of the CMU database.
+  /// If the AMC file has no :SAMPLES-PER-SECOND; if empty, 120, the rate of the CMU database.
   std::optional<double> frames_per_second = std::nullopt;
 };
 

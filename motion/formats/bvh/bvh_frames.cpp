@@ -7,6 +7,7 @@
 
 #include "motion/formats/bvh/bvh_rotation.h"
 #include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/option_names.h"
 
 namespace mien::motion {
 namespace {
@@ -90,19 +91,24 @@ BvhFrameCount parse_bvh_frame_count(TextCursor& cursor) {
   return {count, place};
 }
 
-double parse_bvh_frame_rate(TextCursor& cursor) {
+double parse_bvh_frame_rate(TextCursor& cursor, std::optional<double> given) {
+  skip_space(cursor);
+  const bool has_line = same_word(cursor.text.substr(cursor.at, 1), "F");
+  if (given && !has_line) return *given;
   expect_label(cursor, "Frame Time");
   skip_space(cursor);
   const size_t place = cursor.at;
   const double seconds = parse_number(cursor, "seconds per frame");
-  if (!(seconds >= 1e-5 && seconds <= longest_frame_seconds)) {
+  const bool is_frame_time = seconds >= 1e-5 && seconds <= longest_frame_seconds;
+  if (!is_frame_time && !given) {
     const std::string written(in_quotes(cursor.text.substr(place, cursor.at - place)));
     fail(cursor, place, "a frame time of " + written + " seconds",
          "give the seconds between two frames, not the number of frames per second: " +
-             frame_time_of(seconds));
+             frame_time_of(seconds) + "; or state the rate with " + rate_option);
   }
   const size_t end = cursor.at;
   expect_line_end(cursor);
+  if (!is_frame_time) return *given;
   return frame_rate_of_period(seconds, cursor.text.substr(place, end - place));
 }
 

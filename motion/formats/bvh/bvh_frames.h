@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "motion/formats/bvh/bvh_hierarchy.h"
 #include "motion/skeleton/pose.h"
 
@@ -17,8 +19,9 @@ struct BvhFrameCount {
 /// Parses the line "Frames: n".
 BvhFrameCount parse_bvh_frame_count(TextCursor& cursor);
 
-/// Parses the line "Frame Time: s" and returns the frame rate from which s was rounded.
-double parse_bvh_frame_rate(TextCursor& cursor);
+/// Parses the line "Frame Time: s" and returns the frame rate from which s was rounded; the `given`
+/// one if the line is missing or s is no frame time.
+double parse_bvh_frame_rate(TextCursor& cursor, std::optional<double> given = std::nullopt);
 
 /// The initial pose to which the channels of each frame are applied.
 Pose bvh_pose_before_channels(const BvhHierarchy& hierarchy);

@@ -54,7 +54,7 @@ Recording parse_bvh(std::string_view text, const std::string& file_name,
   Recording recording;
   recording.name = recording_name(file_name);
   recording.format = "bvh";
-  recording.frames_per_second = parse_bvh_frame_rate(cursor);
+  recording.frames_per_second = parse_bvh_frame_rate(cursor, options.frames_per_second);
   recording.poses = parse_frames(cursor, hierarchy, count, count_place);
   recording.skeleton = std::move(hierarchy.skeleton);
   recording.subjects = hierarchy.subjects;

@@ -5,6 +5,7 @@
 
 #include "motion/error.h"
 #include "motion/formats/c3d/c3d_bytes.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/formats/reading/recording_limits.h"
 #include "motion/text/plain_number.h"
 
@@ -91,20 +92,20 @@ double c3d_first_frame(const C3dFile& file) {
   return static_cast<double>(std::max<std::size_t>(first, 1));
 }
 
-double c3d_frame_rate(const C3dFile& file, const ReadOptions& options,
-                      std::vector<std::string>& notes) {
-  if (options.frames_per_second) return *options.frames_per_second;
+std::optional<double> c3d_stated_rate(const C3dFile& file, std::vector<std::string>& notes) {
   const double stated = c3d_number(file, "POINT:RATE").value_or(0.0);
   const double in_header = c3d_real(header_at(file, word_of_rate), file.processor);
-  if (is_rate(stated)) {
-    if (is_rate(in_header) && std::abs(in_header - stated) > 1e-3 * stated) {
-      notes.push_back("The header says " + plain_number(in_header) + " Hz, but POINT:RATE says " +
-                      plain_number(stated) + " Hz, which is used.");
-    }
-    return stated;
+  if (!is_rate(stated)) return is_rate(in_header) ? std::optional(in_header) : std::nullopt;
+  if (is_rate(in_header) && std::abs(in_header - stated) > 1e-3 * stated) {
+    notes.push_back("The header says " + plain_number(in_header) + " Hz, but POINT:RATE says " +
+                    plain_number(stated) + " Hz, which is used.");
   }
-  if (is_rate(in_header)) return in_header;
-  throw Error({file.name}, "states no frame rate", "state the frame rate (fps) beside the file");
+  return stated;
+}
+
+double c3d_given_rate(const C3dFile& file, const ReadOptions& options) {
+  if (options.frames_per_second) return *options.frames_per_second;
+  throw Error({file.name}, "states no frame rate", std::string("state it with ") + rate_option);
 }
 
 C3dLayout c3d_layout(const C3dFile& file, const ReadOptions& options,
@@ -117,7 +118,8 @@ C3dLayout c3d_layout(const C3dFile& file, const ReadOptions& options,
   layout.scale = layout.is_real ? 1.0 : scale;
   layout.start = data_start(file);
   layout.first_frame = c3d_first_frame(file);
-  layout.frames_per_second = c3d_frame_rate(file, options, notes);
+  const std::optional<double> stated_rate = c3d_stated_rate(file, notes);
+  layout.frames_per_second = stated_rate ? *stated_rate : c3d_given_rate(file, options);
   const std::size_t held = (file.bytes.size() - layout.start) / layout.frame_bytes();
   const std::size_t stated = stated_frames(file, held);
   if (held == 0) {

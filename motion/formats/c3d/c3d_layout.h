@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,11 @@ std::size_t c3d_point_count(const C3dFile& file);
 /// Number that the file gives its first frame, of TRIAL:ACTUAL_START_FIELD or else of the header.
 double c3d_first_frame(const C3dFile& file);
 
-/// Frame rate of the options, of POINT:RATE, or else of the header. Throws mien::Error if none of
-/// them states a rate.
-double c3d_frame_rate(const C3dFile& file, const ReadOptions& options,
-                      std::vector<std::string>& notes);
+/// The frame rate of points that the file states: POINT:RATE, or else that of the header.
+std::optional<double> c3d_stated_rate(const C3dFile& file, std::vector<std::string>& notes);
+
+/// The rate of the options, for a file that states none. Throws mien::Error if there is none.
+double c3d_given_rate(const C3dFile& file, const ReadOptions& options);
 
 /// The layout of a file that has points. The header's numbers of frames end at 65,535: a larger one
 /// is taken from TRIAL:ACTUAL_START_FIELD and ACTUAL_END_FIELD, or from POINT:FRAMES, or else from

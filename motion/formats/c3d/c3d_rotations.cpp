@@ -62,11 +62,12 @@ RotationLayout rotation_layout(const C3dFile& file, std::vector<std::string>& no
 
 double rotation_rate(const C3dFile& file, const ReadOptions& options,
                      std::vector<std::string>& notes) {
-  if (options.frames_per_second) return *options.frames_per_second;
   const double stated = c3d_number(file, "ROTATION:RATE").value_or(0.0);
   if (std::isfinite(stated) && stated > 1e-3 && stated < 1e6) return stated;
   const double ratio = c3d_number(file, "ROTATION:RATIO").value_or(1.0);
-  return c3d_frame_rate(file, options, notes) * (ratio >= 1.0 && ratio < 1e3 ? ratio : 1.0);
+  const std::optional<double> of_points = c3d_stated_rate(file, notes);
+  if (!of_points) return c3d_given_rate(file, options);
+  return *of_points * (ratio >= 1.0 && ratio < 1e3 ? ratio : 1.0);
 }
 
 /// The transform at a byte; nothing if the segment is marked as missing or has no finite matrix.

@@ -27,9 +27,9 @@ namespace mien::motion {
 /// - Curves are constant, linear or cubic (fbx_curve.h). Layers above the first are added to or
 ///   override what is below; the motion is then noted as blended, as programs differ in details.
 /// - Frames extend from the first key to the last, within the span that the take states. Their rate
-///   is `options.frames_per_second`, else that of the keys if those of the curve with the most keys
+///   is that of the keys if those of the curve with the most keys
 ///   (at least eight) are evenly spaced at ten or more per second and more than the file's time
-///   mode, else that of the time mode, else that of the keys or 30 per second.
+///   mode, else that of the time mode, else that of the keys, `options.frames_per_second` or 30.
 ///
 /// Sources: the layout as in fbx_document.h; the meaning of transforms, inheritance and time modes
 /// after Autodesk's documentation of the FBX SDK, verified on the geometry of published test files.

@@ -72,14 +72,6 @@ double rate_of_keys(const FbxCurve& curve) {
 
 double chosen_rate(const FbxScene& scene, const Keys& keys, const ReadOptions& options,
                    std::vector<std::string>& notes) {
-  if (options.frames_per_second) {
-    const double given = *options.frames_per_second;
-    if (!(given >= 1.0 && given <= 1000.0)) {
-      throw Error({scene.document.file}, "the given frame rate is not from 1 to 1000 per second",
-                  "give the number of frames per second");
-    }
-    return given;
-  }
   const double stated = scene.settings.frames_per_second;
   const double of_keys = keys.longest == nullptr ? 0.0 : rate_of_keys(*keys.longest);
   if (of_keys > 0.0 && stated > 0.0 && of_keys > 1.001 * stated) {
@@ -89,7 +81,13 @@ double chosen_rate(const FbxScene& scene, const Keys& keys, const ReadOptions& o
     return of_keys;
   }
   if (stated > 0.0) return stated;
-  return of_keys > 0.0 ? of_keys : usual_rate;
+  if (of_keys > 0.0) return of_keys;
+  const double given = options.frames_per_second.value_or(usual_rate);
+  if (!(given >= 1.0 && given <= 1000.0)) {
+    throw Error({scene.document.file}, "the given frame rate is not from 1 to 1000 per second",
+                "give the number of frames per second");
+  }
+  return given;
 }
 
 }  // namespace

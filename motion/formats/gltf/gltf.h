@@ -33,22 +33,24 @@ namespace mien::motion {
 ///   accessors, and buffer views compressed by meshopt.
 /// - Frames extend from the first key to the last. Their rate is that of the keys if the track with
 ///   the most keys has evenly spaced keys at 10 per second or more (or fewer in some cases, see
-///   `timing_of` in gltf_track.h), otherwise 30 per second. Without an animation of the figure
-///   there is one frame, the pose of the nodes.
+///   `timing_of` in gltf_track.h), otherwise `rate`, or 30 per second. Without an animation of the
+///   figure there is one frame, the pose of the nodes.
 ///
 /// Throws mien::Error naming the file (for JSON faults also line and column) if it contains no
 /// figure or is invalid: for example if `take` does not exist, indices or buffers are out of
 /// bounds, a node has two parents, numbers are not finite, or the motion is longer than an hour.
 Recording read_gltf(const std::filesystem::path& path,
                     const std::optional<std::string>& take = std::nullopt,
-                    const std::optional<std::string>& subject = std::nullopt);
+                    const std::optional<std::string>& subject = std::nullopt,
+                    std::optional<double> rate = std::nullopt);
 
 /// As `read_gltf`, for a file in memory; `file_name` is used in error messages and, without folder
 /// and extension, as the name of the recording. A file that refers to other files for its buffers
 /// is refused.
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
                      const std::optional<std::string>& take = std::nullopt,
-                     const std::optional<std::string>& subject = std::nullopt);
+                     const std::optional<std::string>& subject = std::nullopt,
+                     std::optional<double> rate = std::nullopt);
 
 /// The recording as a binary glTF file. It has a node for each joint and one named "…_end" for each
 /// tip; one animation, with a rotation track for every joint and a translation track for the root

@@ -151,7 +151,7 @@ void note_choice(Recording& recording, bool was_asked_for) {
 }
 
 Recording recording_of(const GltfFile& file, const std::optional<std::string>& wanted,
-                       const std::optional<std::string>& subject) {
+                       const std::optional<std::string>& subject, std::optional<double> rate) {
   const GltfNodes nodes = parse_nodes(file);
   const std::vector<GltfTake> takes = gltf_takes(file);
   const std::optional<GltfTake> take = chosen_take(file, takes, wanted);
@@ -168,14 +168,15 @@ Recording recording_of(const GltfFile& file, const std::optional<std::string>& w
   recording.skeleton = skeleton_of(file, nodes, figure, tracks);
   // Figures of one file keep their common time, whichever of them is read.
   std::optional<TrackTiming> common;
-  if (!recording.subjects.empty() && !tracks.empty())
-    common = timing_of(tracks, stated_frame_rate(file, take->animation));
+  const double stated = take ? stated_frame_rate(file, take->animation) : 0.0;
+  const double usual = stated > 0.0 ? stated : rate.value_or(0.0);
+  if (!recording.subjects.empty() && !tracks.empty()) common = timing_of(tracks, usual);
   keep_tracks_of(figure, nodes, tracks);
   if (tracks.empty()) {
+    recording.frames_per_second = rate.value_or(recording.frames_per_second);
     recording.poses = {pose_of(file, figure, nodes.at_rest)};
   } else {
-    const TrackTiming timing =
-        common ? *common : timing_of(tracks, stated_frame_rate(file, take->animation));
+    const TrackTiming timing = common ? *common : timing_of(tracks, usual);
     recording.frames_per_second = timing.frames_per_second;
     recording.poses = sampled(file, nodes, figure, tracks, timing);
   }
@@ -187,16 +188,16 @@ Recording recording_of(const GltfFile& file, const std::optional<std::string>& w
 
 Recording parse_gltf(std::string_view bytes, const std::string& file_name,
                      const std::optional<std::string>& take,
-                     const std::optional<std::string>& subject) {
-  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt), take, subject);
+                     const std::optional<std::string>& subject, std::optional<double> rate) {
+  return recording_of(parse_gltf_file(bytes, file_name, std::nullopt), take, subject, rate);
 }
 
 Recording read_gltf(const std::filesystem::path& path, const std::optional<std::string>& take,
-                    const std::optional<std::string>& subject) {
+                    const std::optional<std::string>& subject, std::optional<double> rate) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const std::string bytes = read_contents(path);
   require_kind(bytes, path.string(), "gltf");
-  return recording_of(parse_gltf_file(bytes, path.string(), folder), take, subject);
+  return recording_of(parse_gltf_file(bytes, path.string(), folder), take, subject, rate);
 }
 
 }  // namespace mien::motion

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -11,6 +14,7 @@
 #include "motion/formats/reading/read_options.h"
 #include "motion/formats/table/frame_times.h"
 #include "motion/math/geometry.h"
+#include "motion/points/point_recording.h"
 
 namespace mien::motion {
 
@@ -67,6 +71,16 @@ std::vector<std::string> names_for(std::size_t count, const std::vector<std::str
 
 /// Throws mien::Error about two-dimensional keypoints; `what` names them.
 [[noreturn]] void refuse_flat(const KeypointFile& file, const std::string& what);
+
+/// Throws mien::Error if a recording of so many bytes is more than `max_keypoint_bytes`.
+void require_keypoint_bytes(std::size_t bytes, const std::string& file);
+
+/// The recording of a file whose frames have these numbers, increasing; `bytes` is its size.
+PointRecording recording_of_frames(const KeypointFile& file, std::vector<std::int64_t> numbers,
+                                   std::size_t bytes);
+
+/// Reads the frames of a folder, or all those that belong to a frame (keypoint_frames.h).
+PointRecording read_keypoint_files(const std::filesystem::path& path, const ReadOptions& options);
 
 // The layouts. `frames` are the frames of the file.
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <system_error>
 #include <unordered_map>
+#include <utility>
 
 #include "motion/formats/keypoints/keypoint_take.h"
 #include "motion/formats/reading/chosen_subject.h"
@@ -16,6 +18,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/file_kind.h"
+#include "motion/text/frame_file_name.h"
 
 namespace mien::motion {
 
@@ -91,11 +94,13 @@ KeypointTake take_of(const KeypointFile& file) {
   return take;
 }
 
-PointRecording recording_of(KeypointTake take, const KeypointFile& file, std::size_t bytes) {
+/// `moment` is what messages call the source of a frame.
+PointRecording recording_of(KeypointTake take, const KeypointFile& file, std::size_t bytes,
+                            const char* moment) {
   take.times.count = take.moments.size();
   take.times.stated_rate = stated_rate(file.json);
   take.times.rate_source = "The file";
-  take.times.moment = "frame";
+  take.times.moment = moment;
   take.times.place = [&](std::size_t) { return Place{file.name}; };
   const FrameTiming timing = timing_of(take.times, file.name, file.options);
   const std::size_t points = take.points.size();
@@ -178,21 +183,35 @@ void refuse_flat(const KeypointFile& file, const std::string& what) {
               "give positions in space, as from several cameras or as world landmarks");
 }
 
+void require_keypoint_bytes(std::size_t bytes, const std::string& file) {
+  if (bytes <= max_keypoint_bytes) return;
+  throw Error({file},
+              "has more than the " + std::to_string(max_keypoint_bytes >> 20) +
+                  " MiB of keypoints that can be read",
+              "cut the recording into shorter files, or write it as CSV");
+}
+
+PointRecording recording_of_frames(const KeypointFile& file, std::vector<std::int64_t> numbers,
+                                   std::size_t bytes) {
+  KeypointTake take = take_of(file);
+  take.times.numbers = std::move(numbers);
+  return recording_of(std::move(take), file, bytes, "file");
+}
+
 PointRecording parse_keypoints(std::string_view json, const std::string& file_name,
                                const ReadOptions& options) {
-  if (json.size() > max_keypoint_bytes)
-    throw Error({file_name},
-                "has more than the " + std::to_string(max_keypoint_bytes >> 20) +
-                    " MiB of keypoints that can be read",
-                "cut the recording into shorter files, or write it as CSV");
+  require_keypoint_bytes(json.size(), file_name);
   const Json parsed = parse_json_text(json, file_name, "keypoints");
   const KeypointFile file{parsed, file_name, options};
-  PointRecording recording = recording_of(take_of(file), file, json.size());
+  PointRecording recording = recording_of(take_of(file), file, json.size(), "frame");
   recording.name = recording_name(file_name);
   return recording;
 }
 
 PointRecording read_keypoints(const std::filesystem::path& path, const ReadOptions& options) {
+  std::error_code unknown;
+  if (frame_file_name(path) || std::filesystem::is_directory(path, unknown))
+    return read_keypoint_files(path, options);
   const std::string file = path.string();
   const std::string bytes = read_contents(path);
   const std::size_t first = bytes.find_first_not_of("\xef\xbb\xbf \t\r\n");

@@ -179,9 +179,7 @@ void set_frame_rate(const TextCursor& cursor, const MvnxSubject& subject,
   if (stated != 0.0 && !(stated >= 0.1 && stated <= 1e5))
     fail(cursor, subject.place, "a frame rate of " + short_number(stated) + " Hz",
          "state the frames per second as frameRate");
-  if (options.frames_per_second) {
-    recording.frames_per_second = *options.frames_per_second;
-  } else if (timed > 0.0 && stated > 0.0 && !are_steps_of(stated, subject.times)) {
+  if (timed > 0.0 && stated > 0.0 && !are_steps_of(stated, subject.times)) {
     recording.frames_per_second = timed;
     recording.notes.push_back("The file states " + short_number(stated) +
                               " Hz, but its times advance as at " + short_number(timed) +
@@ -193,6 +191,8 @@ void set_frame_rate(const TextCursor& cursor, const MvnxSubject& subject,
     recording.notes.push_back(
         "The file does not state its frame rate; that of the frames' times, " +
         short_number(timed) + " Hz, is used.");
+  } else if (options.frames_per_second) {
+    recording.frames_per_second = *options.frames_per_second;
   } else {
     fail(cursor, subject.place, "the frame rate is not stated",
          std::string("give it with ") + rate_option);

@@ -20,8 +20,8 @@ namespace mien::motion {
 /// - An offset is the median over the frames of a segment's position in the frame of its parent.
 ///   `notes` tells where positions differ from that by more than 1 cm.
 /// - The tip of the last segment of a chain is the farthest of its `points`.
-/// - The frame rate is `options.frames_per_second`, else `frameRate`. If the frames' `time`
-///   (milliseconds) contradicts it or it is missing, `time` is used, and `notes` says so.
+/// - The frame rate is `frameRate`. If the frames' `time` (milliseconds) contradicts it or it is
+///   missing, `time` is used, and `notes` says so; without both, `options.frames_per_second`.
 /// - Of several subjects, `options.subject` chooses one by label or number, else the first is read
 ///   and `notes` says so.
 ///

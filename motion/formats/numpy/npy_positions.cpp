@@ -194,11 +194,7 @@ void set_names(PointRecording& recording, std::size_t joints, const Npz& npz,
 
 void set_rate(PointRecording& recording, bool is_taken_as_humanml3d, const Npz& npz,
               const ReadOptions& options) {
-  if (options.frames_per_second) {
-    recording.frames_per_second = checked_rate(*options.frames_per_second, npz.file);
-    return;
-  }
-  std::optional<double> rate = stated_rate(npz);
+  std::optional<double> rate = rate_of_arrays(npz, options);
   if (!rate && is_taken_as_humanml3d) {
     rate = humanml3d_rate;
     recording.notes.push_back(
@@ -244,7 +240,7 @@ PointRecording positions_of(const Npz& npz, const ReadOptions& options) {
   return recording;
 }
 
-/// As described beside the file, except for what the options say.
+/// As described beside the file, except for names that the options give.
 PointRecording described_positions(NpyArray array, const std::string& file,
                                    const NpyDescription& description, ReadOptions options) {
   const std::optional<Extents> extents = extents_of(array);
@@ -254,7 +250,7 @@ PointRecording described_positions(NpyArray array, const std::string& file,
                     " points, but the array holds " + std::to_string(extents->joints),
                 "put the description of this file beside it, or remove it");
   if (options.joints.empty()) options.joints = description.points;
-  if (!options.frames_per_second) options.frames_per_second = description.frames_per_second;
+  options.frames_per_second = description.frames_per_second;
   PointRecording recording = positions_of({file, {std::move(array)}}, options);
   recording.unit = description.unit;
   recording.metres_per_unit = description.unit.empty() ? 0.0 : 1.0;
@@ -276,10 +272,7 @@ PointRecording parse_npy_positions(std::string_view bytes, const std::string& fi
 
 PointRecording read_npy_positions(const std::filesystem::path& path, const ReadOptions& options) {
   NpyArray array = read_npy(path);
-  const bool is_complete = options.frames_per_second && !options.joints.empty();
-  std::optional<NpyDescription> description;
-  if (!is_complete) description = read_npy_description(path);
-  if (description)
+  if (const auto description = read_npy_description(path))
     return described_positions(std::move(array), path.string(), *description, options);
   return positions_of({path.string(), {std::move(array)}}, options);
 }

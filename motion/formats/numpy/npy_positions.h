@@ -19,8 +19,8 @@ namespace mien::motion {
 ///   Human3.6M, 33 MediaPipe, which is noted. Of the two known orders of 25, Kinect and BODY_25, it
 ///   is the one whose bones keep their lengths better over the frames and are shorter, if that is
 ///   clear.
-/// - Rate: `options.frames_per_second`, or that stated in an .npz file (array_rate.h). 22 joints
-///   without names have 20 Hz, HumanML3D's rate, and metres, which is noted.
+/// - Rate: that stated in an .npz file, else that of the options (array_rate.h). 22 joints without
+///   names otherwise have 20 Hz, HumanML3D's rate, and metres, which is noted.
 ///
 /// Throws mien::Error, naming the array and its shape, for arrays of HumanML3D or KIT-ML features
 /// (T × 263, T × 251), two-dimensional positions (T × J × 2), other shapes, Python objects, numbers

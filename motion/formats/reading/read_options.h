@@ -11,7 +11,7 @@ namespace mien::motion {
 struct ReadOptions {
   std::optional<std::string> take{};          ///< name of one of several motions
   std::optional<std::string> subject{};       ///< name or number, from 1, of one of several people
-  std::optional<double> frames_per_second{};  ///< for files that state no rate; overrides any other
+  std::optional<double> frames_per_second{};  ///< of files that do not state their rate
   std::vector<std::string> joints;            ///< names of the points, for files without names
   /// The user's own SMPL model (.npz), which gives the body of SMPL motions (smpl_model.h). Empty:
   /// none.

@@ -28,8 +28,8 @@ bool holds_smpl_motion(std::string_view bytes, const std::string& file_name);
 ///   No model is shipped, so without `options.body_model` the root is at `trans`: a constant
 ///   displacement, which has no effect because `to_body` puts the planted feet on the floor.
 ///   Without either array the figure stays in place.
-/// - Rate: `options.frames_per_second`, or the `mocap_framerate`, `mocap_frame_rate`, `fps`,
-///   `frame_rate`, `framerate` or `frames_per_second` of the file, which must agree within 0.1 %.
+/// - Rate: the `mocap_framerate`, `mocap_frame_rate`, `fps`, `frame_rate`, `framerate` or
+///   `frames_per_second` of the file, which must agree within 0.1 %, else that of the options.
 /// - `betas` and `gender` are noted. Offsets are those of mien's own body (smpl_joints.h), or of
 ///   `options.body_model` with `betas` (smpl_model.h).
 ///

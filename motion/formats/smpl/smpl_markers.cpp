@@ -74,11 +74,9 @@ PointRecording smpl_markers(const Npz& npz, const ReadOptions& options) {
   recording.format = "smpl";
   const NpyArray& markers = markers_in(npz);
   recording.points = distinct(labels_in(npz, markers.shape[1]));
-  const std::optional<double> stated = options.frames_per_second
-                                           ? checked_rate(*options.frames_per_second, npz.file)
-                                           : stated_rate(npz);
-  if (!stated) throw no_rate(npz.file);
-  recording.frames_per_second = *stated;
+  const std::optional<double> rate = rate_of_arrays(npz, options);
+  if (!rate) throw no_rate(npz.file);
+  recording.frames_per_second = *rate;
   const std::vector<double> numbers = numbers_of(markers, {npz.file});
   recording.positions.assign(numbers.size() / 3, Vec3::Zero());
   recording.seen.assign(numbers.size() / 3, false);

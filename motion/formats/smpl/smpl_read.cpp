@@ -26,8 +26,7 @@ WantedArrays motion_arrays() {
 }
 
 double rate_of(const Npz& npz, const ReadOptions& options) {
-  if (options.frames_per_second) return checked_rate(*options.frames_per_second, npz.file);
-  if (const std::optional<double> stated = stated_rate(npz)) return *stated;
+  if (const std::optional<double> rate = rate_of_arrays(npz, options)) return *rate;
   throw no_rate(npz.file);
 }
 
@@ -77,7 +76,7 @@ void note_body(const Npz& npz, const std::vector<double>& betas, const ReadOptio
                std::vector<std::string>& notes) {
   const std::string gender = gender_of(npz);
   const std::string person =
-      gender.empty() ? "" : " The file gives the gender as " + in_quotes(gender) + ".";
+      gender.empty() ? "" : " The file states the gender: " + excerpt(gender) + ".";
   if (!options.body_model.empty()) {
     notes.push_back("The body has the proportions of the model " +
                     in_quotes(options.body_model.filename().string()) + " for " +
@@ -85,7 +84,8 @@ void note_body(const Npz& npz, const std::vector<double>& betas, const ReadOptio
     return;
   }
   notes.push_back(
-      "The body is mien's own, 1.75 m tall: the person's proportions are not in the file." +
+      "The body is mien's own, 1.75 m tall with its soles: the person's proportions are not in the "
+      "file." +
       person);
 }
 

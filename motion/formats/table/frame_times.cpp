@@ -170,7 +170,8 @@ std::optional<double> place_in_time(const MomentTimes& moments, FrameTiming& tim
   if (grid.off_grid) {
     if (!is_rate_told) refuse_uneven(moments, *grid.off_grid);
     timing.notes.push_back("The times are not evenly spaced; the " + moments.moment +
-                           "s are taken as frames at the given rate.");
+                           "s are taken as frames at the " +
+                           (moments.stated_rate ? "stated" : "given") + " rate.");
     return std::nullopt;
   }
   const double in_seconds = seconds_per_unit(moments, grid.period, timing);
@@ -200,20 +201,15 @@ FrameTiming timing_of(const MomentTimes& moments, const std::string& file,
   const std::optional<double> told = options.frames_per_second;
   const std::optional<double> timed = place_in_time(moments, timing, told.has_value());
   timing.frame_count = timing.frame_of.empty() ? 0 : timing.frame_of.back() + 1;
-  const std::optional<double> rate = told ? told : timed ? timed : moments.stated_rate;
+  const std::optional<double> rate = timed                 ? timed
+                                     : moments.stated_rate ? moments.stated_rate
+                                                           : told;
   if (!rate) throw Error({file}, "states no frame rate", ask_for_rate());
   require_usable_rate(*rate, file);
   timing.frames_per_second = *rate;
-  const auto contradicts = [&](const std::optional<double>& other) {
-    return other && std::abs(*other / *rate - 1.0) > 0.005;
-  };
-  if (contradicts(moments.stated_rate))
+  if (moments.stated_rate && std::abs(*moments.stated_rate / *rate - 1.0) > 0.005)
     timing.notes.push_back(moments.rate_source + " says " + short_number(*moments.stated_rate) +
-                           " Hz, but " + (told ? "the given rate is " : "the times are those of ") +
-                           short_number(*rate) + " Hz, which is used.");
-  if (told && contradicts(timed))
-    timing.notes.push_back("The times are those of " + short_number(*timed) +
-                           " Hz, but the given rate is " + short_number(*told) +
+                           " Hz, but the times are those of " + short_number(*rate) +
                            " Hz, which is used.");
   const auto missing = timing.frame_count - static_cast<std::int64_t>(moments.count);
   if (missing > 0)

@@ -41,7 +41,7 @@ struct FrameTiming {
 };
 
 /// The frames by the numbers, or else by the times, or else one after another; and the frame rate:
-/// the one told by the options, or else by the times, or else the stated one. Missing moments leave
+/// the one by the times, or else the stated one, or else that of the options. Missing moments leave
 /// gaps.
 ///
 /// - Times are even if each differs by no more than a last digit and a hundredth of a frame from a
@@ -50,8 +50,8 @@ struct FrameTiming {
 /// - A time column without a unit is in seconds; if that would be a frame a second or fewer, and
 ///   five or more in milliseconds, it is in milliseconds, and a note says so.
 ///
-/// Throws mien::Error at the moment concerned if times are not even or numbers do not increase, and
-/// if there is no rate. Sizes are not limited here.
+/// Throws mien::Error at the moment concerned if times are not even and the options give no rate,
+/// or numbers do not increase, and if there is no rate. Sizes are not limited here.
 FrameTiming timing_of(const MomentTimes& moments, const std::string& file,
                       const ReadOptions& options);
 

@@ -21,7 +21,8 @@ namespace mien::motion {
 /// - People: where all points are named "person:point", `options.subject` chooses a person
 ///   (reading/points_of_subject.h).
 /// - Frame rate and frames: from the column Time (trc_times.h), which is more reliable than the
-///   header's DataRate. Frames that have no row are frames without any point, with a note.
+///   header's DataRate, else `options.frames_per_second`. Frames that have no row are frames
+///   without any point, with a note.
 ///
 /// Throws mien::Error with file, line and column for anything else, for example a cell that is not
 /// a number, more cells than points, or times that are not evenly spaced.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/error.h"
 #include "motion/formats/reading/frame_rate.h"
+#include "motion/formats/reading/option_names.h"
 #include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/plain_number.h"
@@ -19,8 +21,6 @@ constexpr double most_steps = 1e9;         // between two rows
 constexpr double most_deviation = 0.4;     // of a step, however its times are rounded
 constexpr double most_jitter = 0.01;       // of a step
 constexpr double float_rounding = 1.2e-7;  // of times that were floats
-constexpr std::string_view state_rate =
-    "if the frames are evenly spaced all the same, state their rate (fps)";
 
 /// Times and how exactly their digits state them.
 struct Times {
@@ -86,7 +86,9 @@ std::size_t first_deviating(const Times& times, const std::vector<std::size_t>& 
 }
 
 [[noreturn]] void fail_at_row(const TextCursor& cursor, const TrcRow& row, std::string_view wrong) {
-  fail(cursor, row.at, wrong, state_rate);
+  fail(cursor, row.at, wrong,
+       std::string("if the frames are evenly spaced all the same, state their rate with ") +
+           rate_option);
 }
 
 double usual_step(const TextCursor& cursor, const std::vector<TrcRow>& rows, const Times& times) {
@@ -189,18 +191,19 @@ void read_time(const TextCursor& cursor, std::string_view cell, TrcRow& row) {
   row.decimals -= std::clamp(as_number<int>(exponent).value_or(0), -1000, 1000);
 }
 
-TrcFrames trc_frames(const TextCursor& cursor, const std::vector<TrcRow>& rows,
-                     std::optional<double> data_rate, std::optional<double> stated,
-                     std::vector<std::string>& notes) {
+namespace {
+
+/// As `trc_frames`, without a given rate.
+TrcFrames stated_frames(const TextCursor& cursor, const std::vector<TrcRow>& rows,
+                        std::optional<double> data_rate, std::vector<std::string>& notes) {
   const std::optional<std::vector<std::size_t>> numbered = numbered_frames(rows);
-  if (stated) return {*stated, numbered.value_or(successive_frames(rows.size()))};
   const auto untimed = std::ranges::find_if(rows, [](const TrcRow& row) { return !row.time; });
   const bool has_times = std::ranges::any_of(
       rows, [&](const TrcRow& row) { return row.time && row.time != rows[0].time; });
   if (!has_times) {
     if (!data_rate) {
       fail(cursor, 0, "neither the header nor the Time column states a frame rate",
-           "state the frame rate (fps) beside the file");
+           std::string("state it with ") + rate_option);
     }
     if (rows.size() > 1) {
       notes.push_back("The Time column is empty or does not advance: the header's " +
@@ -213,6 +216,31 @@ TrcFrames trc_frames(const TextCursor& cursor, const std::vector<TrcRow>& rows,
   if (data_rate && numbered && first_deviating(times, *numbered, *data_rate, 1.0) == rows.size())
     return {*data_rate, *numbered};
   return timed_frames(cursor, rows, times, data_rate, notes);
+}
+
+}  // namespace
+
+TrcFrames trc_frames(const TextCursor& cursor, const std::vector<TrcRow>& rows,
+                     std::optional<double> data_rate, std::optional<double> given,
+                     std::vector<std::string>& notes) {
+  std::vector<std::string> found;
+  TrcFrames frames;
+  try {
+    frames = stated_frames(cursor, rows, data_rate, found);
+  } catch (const Error&) {
+    // The rate is what the error asks for.
+    if (!given) throw;
+    found.clear();
+    frames = {data_rate.value_or(*given),
+              numbered_frames(rows).value_or(successive_frames(rows.size()))};
+    const bool has_times =
+        std::ranges::any_of(rows, [](const TrcRow& row) { return row.time.has_value(); });
+    if (has_times)
+      found.push_back("The times are not evenly spaced; the rows are taken as frames at " +
+                      plain_number(frames.frames_per_second) + " Hz.");
+  }
+  notes.insert(notes.end(), found.begin(), found.end());
+  return frames;
 }
 
 }  // namespace mien::motion

@@ -38,10 +38,11 @@ struct TrcFrames {
 ///   A last row that follows too early, as programs that resample write it, is left out.
 /// - If no row has a time or all times are the same, the header's rate and Frame#, with a note.
 ///
-/// `stated` overrides the rate; rows then stand at the frames of Frame#, or one after the other if
-/// these do not increase. Throws mien::Error if the rate is unknown or times are not evenly spaced.
+/// Without a rate, or if times are not evenly spaced, the rows stand at the frames of Frame#, or
+/// one after the other if these do not increase, at the header's rate or else the `given` one.
+/// Throws mien::Error if none is given.
 TrcFrames trc_frames(const TextCursor& cursor, const std::vector<TrcRow>& rows,
-                     std::optional<double> data_rate, std::optional<double> stated,
+                     std::optional<double> data_rate, std::optional<double> given,
                      std::vector<std::string>& notes);
 
 }  // namespace mien::motion

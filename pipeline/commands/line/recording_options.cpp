@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
 #include "motion/formats/motion_format.h"
 #include "motion/text/excerpt.h"
@@ -39,6 +40,12 @@ void check_count(const char* option, std::size_t given, std::size_t files) {
               "give it once for all files, or once for each in their order");
 }
 
+/// Of a folder of frames, that of the frames.
+const motion::MotionFormat* format_of(const std::string& file) {
+  const std::vector<std::filesystem::path> frames = motion::keypoint_recordings(file);
+  return motion::motion_format(frames.empty() ? std::filesystem::path(file) : frames.front());
+}
+
 /// Applies the values of an option to the files: one to each, or a single one to all those to which
 /// it may apply, and to the first if there are none.
 template <class Value>
@@ -53,7 +60,7 @@ void give(const char* option, const std::vector<Value>& given, std::vector<Named
   }
   bool is_of_any = false;
   for (NamedRecording& named : files) {
-    const motion::MotionFormat* const format = motion::motion_format(named.file);
+    const motion::MotionFormat* const format = format_of(named.file);
     if (format == nullptr || !may_apply(*format)) continue;
     if (option == std::string_view("--take") && named.how.take) continue;
     set(named, given.front());
@@ -109,8 +116,8 @@ std::vector<CommandOption> options_for(RecordingArguments& arguments,
                      how_often)
               .values(1, 1),
           option("--recorded-fps", &arguments.rates,
-                 "Frames per second of the recording, for files that do not state it (fps: in "
-                 "manifests)" +
+                 "Frames per second of the recording, for files that do not state it; a rate that the "
+                 "file states is used instead (fps: in manifests)" +
                      how_often)
               .values(1, 1)
               .positive(),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
@@ -71,6 +72,18 @@ void add_default_take(const NamedMotion& motion, FaultList& list) {
   }
 }
 
+/// Adds the fault of a folder of OpenPose's frames that is not one recording's; false for others.
+bool add_frame_folder(const std::string& at, const std::filesystem::path& file, FaultList& list) {
+  if (motion::keypoint_recordings(file).empty()) return false;
+  try {
+    motion::only_keypoint_recording(file);
+    return false;
+  } catch (const Error& error) {
+    list.add(at, error.what(), "");
+    return true;
+  }
+}
+
 }  // namespace
 
 void check_motion_file(const std::string& path, const std::filesystem::path& file,
@@ -78,6 +91,7 @@ void check_motion_file(const std::string& path, const std::filesystem::path& fil
   if (file.empty()) return;
   const std::string own = member_path(path, "file");
   const std::string at = list.was_given(own) ? own : path;
+  if (add_frame_folder(at, file, list)) return;
   list.check_file(at, file, "a motion file: " + motion::formats_read(),
                   motion::max_recording_bytes);
   check_take(member_path(path, "take"), file, how, list);

@@ -1,8 +1,10 @@
 #include "pipeline/manifest/reading/resolved_manifest.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
+#include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/documents/utf8.h"
@@ -128,9 +130,26 @@ void set_default_ids(Manifest& manifest) {
   }
 }
 
+/// A folder of a single recording's frames stands for its first frame, of which all files are read.
+void resolve_frame_folder(std::filesystem::path& file) {
+  std::error_code unknown;
+  if (!std::filesystem::is_directory(file, unknown)) return;
+  const std::vector<std::filesystem::path> recordings = motion::keypoint_recordings(file);
+  if (recordings.size() == 1) file = recordings.front();
+}
+
+void resolve_frame_folders(Manifest& manifest) {
+  for (Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.clip) resolve_frame_folder(stimulus.clip->file);
+    if (!stimulus.walk) continue;
+    for (GraphMotion& motion : stimulus.walk->graph) resolve_frame_folder(motion.file);
+  }
+}
+
 }  // namespace
 
 ResolvedManifest resolve(Manifest manifest) {
+  resolve_frame_folders(manifest);
   std::vector<Fault> faults = resolve_modifications(manifest);
   append(faults, resolve_foils(manifest));
   resolve_holds(manifest);

@@ -209,10 +209,9 @@ TEST(Fbx, SamplesTheTakesSpanAtTheRateOfTheKeysOrTheTimeMode) {
   ASSERT_EQ(sixty.notes.size(), 1u);
   EXPECT_NE(sixty.notes[0].find("24 frames per second"), std::string::npos);
   file.settings.children = {file.setting("TimeMode", 1)};
-  EXPECT_EQ(read(file).frames_per_second, 120.0);
   ReadOptions options;
   options.frames_per_second = 10.0;
-  EXPECT_EQ(read(file, options).frame_count(), 21);
+  EXPECT_EQ(read(file, options).frames_per_second, 120.0);
 }
 
 /// The arm, and a figure of four joints that stands still.

@@ -211,7 +211,8 @@ TEST(Mvnx, TakesItsRateFromTheTimesWhenTheyContradictIt) {
   EXPECT_EQ(read({.milliseconds = 0.0}).frames_per_second, 60.0);
   ReadOptions at_50;
   at_50.frames_per_second = 50.0;
-  EXPECT_EQ(read({}, at_50).frames_per_second, 50.0);
+  EXPECT_EQ(read({}, at_50).frames_per_second, 60.0);
+  EXPECT_EQ(read({.rate = "", .milliseconds = 0.0}, at_50).frames_per_second, 50.0);
   EXPECT_EQ(read({.rate = ""}).notes.size(), 1u);
   EXPECT_NE(refusal_of([&] {
               read({.rate = "", .milliseconds = 0.0});

@@ -184,7 +184,7 @@ TEST(NpyPositions, TheRateIsNeverGuessed) {
             "(--recorded-fps on the command line)");
   const std::string npz = npz_file({{"fps", npy_f8("()", {50})}, {"joints", positions(2, 24)}});
   EXPECT_EQ(parse_npy_positions(npz, "a.npz").frames_per_second, 50.0);
-  EXPECT_EQ(parse_npy_positions(npz, "a.npz", at_30_hz()).frames_per_second, 30.0);
+  EXPECT_EQ(parse_npy_positions(npz, "a.npz", at_30_hz()).frames_per_second, 50.0);
 }
 
 TEST(NpyPositions, OfAnNpzFileAreItsOnlySuchArray) {

@@ -205,8 +205,8 @@ TEST(Smpl, BodyAndGenderAreNoted) {
   const Recording recording = recording_of(amass_members(random_motion(52), 30.0));
   ASSERT_EQ(recording.notes.size(), 1u);
   EXPECT_EQ(recording.notes[0],
-            "The body is mien's own, 1.75 m tall: the person's proportions are not in the "
-            "file. The file gives the gender as \"female\".");
+            "The body is mien's own, 1.75 m tall with its soles: the person's proportions are not "
+            "in the file. The file states the gender: female.");
 }
 
 TEST(Smpl, TheRateIsNeverGuessed) {

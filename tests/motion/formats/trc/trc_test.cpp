@@ -218,13 +218,19 @@ TEST(Trc, FrameNumbersCountWhereTimeDoesNotAdvance) {
   EXPECT_EQ(parsed(head + rows_at({{1, ""}, {2, ""}})).frame_count(), 2);
 }
 
-TEST(Trc, AStatedRateOverridesTimes) {
+TEST(Trc, AGivenRateCountsWhereTimesAreUneven) {
   ReadOptions options;
   options.frames_per_second = 50.0;
-  const PointRecording recording = parse_trc(
-      head + rows_at({{1, "0"}, {2, "0.013"}, {3, "0.02"}, {5, "0.5"}}), "walk.trc", options);
-  EXPECT_EQ(recording.frames_per_second, 50.0);
+  const std::string uneven = rows_at({{1, "0"}, {2, "0.013"}, {3, "0.02"}, {5, "0.5"}});
+  const PointRecording recording = parse_trc(head + uneven, "walk.trc", options);
+  EXPECT_EQ(recording.frames_per_second, 100.0);
   EXPECT_EQ(recording.frame_count(), 5);
+  EXPECT_TRUE(has_note(recording, "not evenly spaced; the rows are taken as frames at 100 Hz"));
+  const std::string no_rate = with(head, "100\t100\t", "\t\t");
+  EXPECT_EQ(parse_trc(no_rate + uneven, "walk.trc", options).frames_per_second, 50.0);
+  const PointRecording even =
+      parse_trc(no_rate + rows_at({{1, "0"}, {2, "0.04"}}), "walk.trc", options);
+  EXPECT_EQ(even.frames_per_second, 25.0);
 }
 
 TEST(Trc, IsRefusedWithItsPlaceAndFault) {
@@ -264,7 +270,7 @@ TEST(Trc, UnevenTimesAreRefusedWhereTheSpacingChanges) {
   expect_refusal(
       head + rows_at(times),
       "walk.trc:19:1: Time advances by 0.015 s, but usually by 0.01 s; if the frames are "
-      "evenly spaced all the same, state their rate (fps)");
+      "evenly spaced all the same, state their rate with fps:");
 }
 
 TEST(Trc, FramesFarApartDoNotFillTheMemory) {
