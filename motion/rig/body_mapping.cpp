@@ -1,6 +1,7 @@
 #include "motion/rig/body_mapping.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -134,8 +135,8 @@ Error not_human(const Recording& recording) {
                "its " + std::to_string(recording.skeleton.size()) +
                    " joints are not recognised as a human figure (two legs of at least thigh and "
                    "shank, two arms of at least upper arm and forearm)",
-               "name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …) or draw "
-               "it as a stick figure");
+               "if it is one, name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, "
+               "LeftArm, …)");
 }
 
 Error on_all_fours(const Recording& recording) {
@@ -144,7 +145,7 @@ Error on_all_fours(const Recording& recording) {
       "its " + std::to_string(recording.skeleton.size()) +
           " joints are not recognised as a human figure: the shape is that of a quadruped",
       "name the joints in a common way (LeftUpLeg, LeftLeg, LeftFoot, LeftArm, …) if it is "
-      "a human who crawls, or draw it as a stick figure");
+      "a human who crawls");
 }
 
 /// The up axis: that of the format, otherwise estimated from the figure. Notes where they differ,
@@ -326,6 +327,19 @@ Clip to_body(const Recording& recording, const BodyMapping& mapping) {
 
 Clip to_body(const Recording& recording) { return to_body(recording, recognise(recording)); }
 
+namespace {
+
+/// The error as a sentence about the file, which is named before it: "Its 4 joints are not …"
+std::string sentence_of(const Error& error) {
+  std::string words = error.what();
+  const std::string place = to_string(error.place()) + ": ";
+  if (words.starts_with(place)) words.erase(0, place.size());
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + ".";
+}
+
+}  // namespace
+
 RigAnalysis analyse_rig(const Recording& recording) {
   check_frames(recording);
   RigAnalysis result;
@@ -339,7 +353,7 @@ RigAnalysis analyse_rig(const Recording& recording) {
     result.rejection = error.what();
     result.warnings = recording.notes;
     if (recording.markers) return result;  // notes say why; its space is that of a clip
-    result.warnings.push_back(result.rejection);
+    result.warnings.push_back(sentence_of(error));
     result.warnings.push_back("It is shown as it is: unscaled (1 unit = 1 m), with +Y up.");
   }
   double lowest = 0.0;

@@ -202,7 +202,7 @@ CharacterParts gltf_parts(const CharacterFile& file) {
 }
 
 std::string lower_case_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
+  std::string ending = motion::without_compression(path).extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;

@@ -24,8 +24,8 @@ constexpr float stick_share = 0.3f;  // of the dots' diameter
 const Markers& require_markers(const motion::Clip& clip) {
   if (const Markers* markers = motion::markers_of(clip)) return *markers;
   throw Error({clip.name}, "this motion has no markers to show",
-              "show an unmodified recording of markers, or choose another figure, such as "
-              "point-light");
+              "show an unmodified recording of markers (in an AMASS file the take markers: "
+              "FILE.npz#markers), or choose another figure, such as point-light");
 }
 
 bool is_lit(const Markers& markers, const MarkersOptions& options, int frame, int point) {

@@ -130,6 +130,13 @@ TEST_F(Convert, TakesSubjectRateAndBody) {
   EXPECT_EQ(convert("walk.bvh", "x.trc", {"--take", "Run"}).code, 2);
 }
 
+TEST_F(Convert, WritesPointsWhoseNamesInfoLists) {
+  ASSERT_EQ(convert("walk.bvh", "walk.csv").code, 0);
+  const std::string info = run_mien({"motion", "info", at("walk.csv")}).output;
+  EXPECT_NE(info.find("\n  Pelvis, Spine,"), std::string::npos) << info;
+  EXPECT_NE(info.find(" and 9 more (all with --json)\n"), std::string::npos) << info;
+}
+
 TEST_F(Convert, RefusesBeforeAnythingIsWritten) {
   ASSERT_EQ(convert("walk.bvh", "walk.csv").code, 0);
   scratch_.write("dots.csv", "frame,time_s,point,x_m,y_m,z_m\n0,0,p,1,2,3\n1,0.1,p,1,2,3\n");

@@ -16,7 +16,9 @@ namespace {
 
 /// The endings of the formats, from what the program says of another one.
 std::set<std::string> endings() {
-  const std::string told = run_mien({"motion", "info", "walk.xyz"}).errors;
+  const Scratch scratch;
+  const std::filesystem::path other = scratch.write("walk.xyz", "walk");
+  const std::string told = run_mien({"motion", "info", other.string()}).errors;
   static const std::regex ending(R"([( ](\.[a-z0-9]+)[,)])");
   std::set<std::string> found;
   for (std::sregex_iterator match(told.begin(), told.end(), ending), end; match != end; ++match)

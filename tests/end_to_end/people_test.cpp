@@ -106,6 +106,13 @@ TEST_F(People, WhoAreNotThereAreRefusedByEveryCommand) {
   EXPECT_FALSE(fs::exists(out));
 }
 
+TEST_F(People, AreAllShownByRenderOnly) {
+  const Ended info = run_mien({"motion", "info", file("both.bvh"), "--subject", "all"});
+  EXPECT_EQ(info.code, 2);
+  EXPECT_TRUE(contains(info.errors, "choose one of these; only mien render shows everyone"))
+      << info.errors;
+}
+
 TEST_F(People, AreModifiedAndStreamedLikeThoseInFilesOfTheirOwn) {
   const auto modified = [&](std::vector<std::string> arguments) {
     const Ended ended = run_mien(arguments);

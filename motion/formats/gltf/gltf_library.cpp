@@ -14,6 +14,7 @@
 #include "motion/formats/gltf/gltf_library.h"
 #include "motion/formats/gltf/gltf_meshopt.h"
 #include "motion/formats/gltf/gltf_track.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
@@ -127,6 +128,8 @@ Document parse_document(std::string_view text, const std::string& name) {
     drop_unread_sections(json);
     return {std::move(json), std::move(bones)};
   } catch (const Json::parse_error& error) {
+    if (!text.starts_with('{') && without_compression(name).extension() != ".gltf")
+      throw Error({name}, "is not a glTF file", get_it_again);
     throw Error(place_of_byte(text, error.byte, name), "this is not the JSON of a glTF file",
                 get_it_again);
   } catch (const Json::out_of_range&) {

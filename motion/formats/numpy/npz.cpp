@@ -43,6 +43,10 @@ struct Source {
               "obtain the file again");
 }
 
+[[noreturn]] void refuse_other_file(const Source& source) {
+  throw Error({source.name}, "is not an .npz file: it is no zip archive", "obtain the file again");
+}
+
 [[noreturn]] void refuse_member(const Source& source, const std::string& name,
                                 const std::string& words) {
   throw Error({source.name},
@@ -82,9 +86,11 @@ Zip open(const Source& source) {
   zip_source_t* const bytes = bytes_of(source, error);
   Zip zip(bytes ? zip_open_from_source(bytes, ZIP_RDONLY, &error) : nullptr);
   const std::string words = zip_error_strerror(&error);
+  const bool is_other_file = zip_error_code_zip(&error) == ZIP_ER_NOZIP;
   zip_error_fini(&error);
   if (zip) return zip;
   if (bytes) zip_source_free(bytes);
+  if (is_other_file) refuse_other_file(source);
   refuse_archive(source, words);
 }
 

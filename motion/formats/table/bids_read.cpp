@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <system_error>
 #include <unordered_map>
 
 #include <nlohmann/json.hpp>
@@ -239,6 +240,22 @@ fs::path sidecar_of(const fs::path& motion, const std::string& prefix) {
   return {};
 }
 
+/// The channels file beside a motion file, perhaps compressed.
+fs::path channels_of(const fs::path& motion, const std::string& prefix) {
+  const fs::path plain =
+      motion.parent_path() / safe_component(prefix + "channels.tsv", {motion.string()});
+  const std::string name = in_quotes(plain.filename().string());
+  std::error_code unknown;
+  for (const fs::path& file : {plain, fs::path(plain.string() + ".gz")}) {
+    if (!fs::exists(file, unknown)) continue;
+    const std::string problem = read_error(file, max_document_bytes);
+    if (problem.empty()) return file;
+    throw Error({file.string()}, problem, "put the channels file of the motion there");
+  }
+  throw Error({motion.string()}, "has no channels file " + name + " beside it",
+              "put it into the same folder; it says what the columns are");
+}
+
 }  // namespace
 
 bool is_bids_motion(const fs::path& path) {
@@ -270,12 +287,7 @@ PointRecording read_bids_motion(const fs::path& motion_tsv, const ReadOptions& o
     throw Error({motion_tsv.string()}, "is not named as motion in BIDS",
                 "give the path of a …_motion.tsv");
   const std::string prefix = name.substr(0, name.size() - motion_ending.size());
-  const fs::path channels =
-      motion_tsv.parent_path() / safe_component(prefix + "channels.tsv", {motion_tsv.string()});
-  if (const std::string problem = read_error(channels, max_document_bytes); !problem.empty())
-    throw Error({motion_tsv.string()},
-                "its channels file " + in_quotes(channels.filename().string()) + " " + problem,
-                "put it beside the motion file");
+  const fs::path channels = channels_of(motion_tsv, prefix);
   const fs::path sidecar = sidecar_of(motion_tsv, prefix);
   if (sidecar.empty() && !options.frames_per_second)
     throw Error({motion_tsv.string()}, "has no …_motion.json, which states the frame rate",

@@ -123,8 +123,8 @@ Command motion_convert_command() {
           .options = all_of(argument("in", &options->in, "Motion file"),
                             argument("out", &options->out,
                                      "File to write: " + motion::formats_written() +
-                                         "; BVH in the unit and axes of the input, others in "
-                                         "metres with +Y up"),
+                                         "; in metres with +Y up, except that BVH made from BVH or "
+                                         "AMC keeps their unit and axes"),
                             recording_options(options->recording),
                             flag("--body", &options->body,
                                  "Map it onto the canonical body: 21 joints, metres, +Y up")),

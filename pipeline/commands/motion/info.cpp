@@ -3,18 +3,21 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/error.h"
 #include "motion/fitting/recorded_points.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/features/motion_summary.h"
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
 #include "motion/points/point_axes.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
@@ -101,24 +104,26 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
   }
 }
 
-void show_rig(const motion::MotionSummary& summary, const Console& console) {
+void show_rig(const motion::MotionSummary& summary, bool is_converted, const Console& console) {
   console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
   if (summary.is_human)
     console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
-  console.out << fmt::format("\nunit     {:.6g} m, up {}\n", summary.unit_m, summary.up);
+  console.out << fmt::format("\nunit     {:.6g} m{}, up {}\n", summary.unit_m,
+                             is_converted ? " (converted from the file's own)" : "", summary.up);
 }
 
 /// Of a file of points, rig and unit are those of the body that was fitted, and tell nothing.
-void show_text(const motion::MotionSummary& summary, bool is_of_points, const Console& console) {
+void show_text(const motion::MotionSummary& summary, bool is_of_points, std::string_view format,
+               const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
   if (summary.takes.size() > 1)
     console.out << fmt::format("takes    {} (showing {})\n", fmt::join(summary.takes, ", "),
                                summary.take);
-  if (!is_of_points) show_rig(summary, console);
+  if (!is_of_points) show_rig(summary, format == "fbx", console);
   if (summary.is_human) {
-    console.out << fmt::format("figure   {:.2f} m tall, moving at {:.2f} m/s\n", summary.height_m,
-                               summary.speed_m_s);
+    console.out << fmt::format("figure   {:.2f} m tall without soles, moving at {:.2f} m/s\n",
+                               summary.height_m, summary.speed_m_s);
     if (!is_of_points) show_mapping(summary, console);
     show_cycles(summary, console);
   }
@@ -204,10 +209,32 @@ std::string events_in_words(const std::vector<motion::PointEvent>& events) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// The first names on lines of at most 90 columns: "  LASI, RASI, … and 27 more"
+void show_point_names(const std::vector<std::string>& names, const Console& console) {
+  constexpr std::size_t most = 12;
+  constexpr std::size_t widest = 90;
+  std::string line = " ";
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+    const bool is_last = i + 1 == names.size();
+    const std::string word = " " + motion::excerpt(names[i]) + (is_last ? "" : ",");
+    if (line.size() + word.size() > widest && line.size() > 1) {
+      console.out << line << '\n';
+      line = " ";
+    }
+    line += word;
+  }
+  if (names.size() > most) {
+    line.back() = ' ';
+    line += fmt::format("and {} more (all with --json)", names.size() - most);
+  }
+  console.out << line << '\n';
+}
+
 void show_text(const PointsSummary& summary, const Console& console) {
   const motion::PointRecording& points = summary.points;
   console.out << fmt::format("points   {}, {}\n", points.point_count(),
                              summary.set.name.empty() ? "no known marker set" : summary.set.name);
+  show_point_names(points.points, console);
   console.out << fmt::format(
       "axes     {} up{}, in {}\n", summary.axes.up, summary.axes.is_up_assumed ? " (assumed)" : "",
       points.unit.empty() ? "a unit that the file does not state, taken to be " +
@@ -231,9 +258,18 @@ void show_people(const motion::Recording& recording, const Console& console) {
   console.out << '\n';
 }
 
+motion::FileContents contents_of(const NamedRecording& named) {
+  try {
+    return motion::read_file(named.file, named.how);
+  } catch (const Error& error) {
+    if (named.how.subject != "all") throw;
+    throw Error(error.what(), "only mien render shows everyone with --subject all");
+  }
+}
+
 int show_info(const InfoOptions& options, const Console& console) {
   const NamedRecording named = named_recording(options.file, options.recording);
-  motion::FileContents contents = motion::read_file(named.file, named.how);
+  motion::FileContents contents = contents_of(named);
   std::optional<PointsSummary> points;
   motion::Recording recording;
   if (auto* found = std::get_if<motion::PointRecording>(&contents)) {
@@ -256,7 +292,7 @@ int show_info(const InfoOptions& options, const Console& console) {
   } else {
     show_people(recording, console);
     if (points) show_text(*points, console);
-    show_text(summary, points.has_value(), console);
+    show_text(summary, points.has_value(), recording.format, console);
   }
   return exit_done;
 }

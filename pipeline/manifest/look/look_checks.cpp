@@ -75,7 +75,7 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
     scenes::read_character(character.file);
     characters.insert(character.file);
   } catch (const Error& wrong) {
-    list.add(path, wrong.what(), "name another file");
+    list.add(path, wrong.what(), "");
   }
 }
 
@@ -185,7 +185,7 @@ std::vector<Fault> resolve_set(Look& look, const std::string& path, const Places
   } catch (const Faults& wrong) {
     return wrong.list();
   } catch (const Error& wrong) {
-    return fault(wrong.what(), "name another file");
+    return fault(wrong.what(), "");
   }
   return {};
 }

@@ -82,9 +82,11 @@ TEST_F(MarkerDots, AreRefusedInWordsThatNameTheNearest) {
 TEST_F(MarkerDots, OfAMotionWithoutMarkersAreRefused) {
   clip.name = "blend";
   clip.markers.reset();
-  EXPECT_EQ(refusal(),
-            "blend: this motion has no markers to show; show an unmodified recording of markers, "
-            "or choose another figure, such as point-light");
+  EXPECT_EQ(
+      refusal(),
+      "blend: this motion has no markers to show; show an unmodified recording of markers (in "
+      "an AMASS file the take markers: FILE.npz#markers), "
+      "or choose another figure, such as point-light");
   clip = test::with_markers(test::walking_clip(60, Vec3::UnitZ(), 0.04));
   clip.poses[3].rotations[motion::LeftElbow] = motion::Quat(Eigen::AngleAxisd(1.0, Vec3::UnitX()));
   EXPECT_NE(refusal().find("has no markers"), std::string::npos);

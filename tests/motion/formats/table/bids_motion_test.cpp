@@ -2,13 +2,16 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/gzip_text.h"
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/result_file.h"
+#include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
 
@@ -109,7 +112,7 @@ TEST(BidsMotion, CompanionsAreFoundByName) {
   const std::string prefix = "sub-07_task-walk_tracksys-omc_";
   const std::filesystem::path file = folder / (prefix + "motion.tsv");
   write_result(file, motion);
-  expect_bids_words(refusal_of([&] { read_bids_motion(file); }), "its channels file");
+  expect_bids_words(refusal_of([&] { read_bids_motion(file); }), "has no channels file");
   write_result(folder / (prefix + "channels.tsv"), channels);
   expect_bids_words(refusal_of([&] { read_bids_motion(file); }), "fps:");
   write_result(root / "task-walk_motion.json", sidecar);
@@ -183,6 +186,18 @@ TEST(BidsMotion, DamagedFilesAreReadOrRefused) {
       (*text)[random() % text->size()] = "\t\n\"xyz19.-e{}[,"[random() % 14];
     read_anything(m, c, j);
   }
+}
+
+TEST(BidsMotion, FindsCompressedChannelsAndSaysWhichFileIsMissing) {
+  const test::TemporaryFolder folder;
+  const auto file = [&](const std::string& name) { return folder.path() / ("sub-07_" + name); };
+  std::ofstream(file("motion.tsv")) << motion;
+  std::ofstream(file("motion.json")) << sidecar;
+  const std::string missing = refusal_of([&] { read_bids_motion(file("motion.tsv")); });
+  expect_bids_words(missing, "has no channels file \"sub-07_channels.tsv\" beside it; put it");
+  std::ofstream(file("channels.tsv.gz"), std::ios::binary) << test::gzipped(channels);
+  EXPECT_EQ(read_bids_motion(file("motion.tsv")).positions,
+            parse(motion, channels, sidecar).positions);
 }
 
 }  // namespace
