@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/formats/bvh/bvh.h"
 #include "motion/formats/motion_file.h"
 #include "motion/formats/numpy/numpy_files.h"
 #include "motion/formats/smpl/smpl.h"
@@ -150,6 +151,7 @@ const Surroundings surroundings[] = {
      R"({"folder": "smpl", "include": "*.npz", "cycle": "whole"})"},
     {"examples.set.joints", with_folder,
      R"({"folder": "nameless", "include": "*.npz", "cycle": "whole"})"},
+    {"examples.set.fps", with_folder, R"({"folder": "unrated", "cycle": "whole"})"},
     {"examples.set.licence.", with_folder_of_licence, R"({"name": "CC0"})"},
     {"examples.set.take", with_folder, R"({"folder": "takes", "cycle": "whole"})"},
     {"examples.set.", with_folder, R"({"folder": "one", "cycle": "whole"})"},
@@ -165,7 +167,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].clip.take", "{}", R"({"file": "takes.gltf"})"},
     {"stimuli[].clip.subject", "{}", R"({"file": "one/normal.bvh"})"},
     {"stimuli[].clip.body_model", "{}", R"({"file": "smpl/normal.npz"})"},
-    {"stimuli[].clip.fps", "{}", R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].clip.fps", "{}", R"({"file": "unrated/normal.bvh"})"},
     {"stimuli[].path.script[].walk", "{}", "{}"},
     {"stimuli[].path.script[].turn", "{}", "{}"},
     {"stimuli[].path.script[].stand", "{}", "{}"},
@@ -179,7 +181,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
     {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
     {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
-    {"stimuli[].path.graph[].fps", with_graph, R"({"file": "one/normal.bvh"})"},
+    {"stimuli[].path.graph[].fps", with_graph, R"({"file": "unrated/normal.bvh"})"},
     {"stimuli[].path.graph[].file", with_graph, "{}"},
     {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
     {"stimuli[].path.threshold_m", "{}",
@@ -587,6 +589,13 @@ std::string nameless(const motion::Clip& clip) {
       {{"fps", npy_f8("()", {clip.frames_per_second})}, {"joints", npy_f8(shape, numbers)}});
 }
 
+/// The clip as a BVH file that does not state its frame rate.
+std::string unrated(const motion::Clip& clip) {
+  std::string text = motion::to_bvh(motion::to_recording(clip));
+  const std::size_t line = text.find("Frame Time:");
+  return text.erase(line, text.find('\n', line) + 1 - line);
+}
+
 json with_value(const std::string& path, const json& value) {
   json manifest = tiny_study();
   const Surroundings* around = nullptr;
@@ -629,6 +638,7 @@ void write_variant_files(const std::filesystem::path& folder) {
   std::ofstream(folder / "small.npz", std::ios::binary) << smpl_model_of_size(0.9);
   std::ofstream(folder / "tall.npz", std::ios::binary) << smpl_model_of_size(1.1);
   std::filesystem::create_directories(folder / "nameless");
+  std::filesystem::create_directories(folder / "unrated");
   for (const char* name : {"one", "two"}) {
     std::filesystem::create_directories(folder / name);
     for (const motion::Example& example : walks.examples) {
@@ -640,6 +650,7 @@ void write_variant_files(const std::filesystem::path& folder) {
       std::ofstream(folder / "takes" / (label + ".gltf")) << two_takes(motion::to_recording(clip));
       motion::write_motion(motion::to_recording(clip), folder / "smpl" / (label + ".npz"));
       std::ofstream(folder / "nameless" / (label + ".npz")) << nameless(clip);
+      std::ofstream(folder / "unrated" / (label + ".bvh")) << unrated(clip);
       std::ofstream(folder / (label + ".trc")) << motion::to_trc(as_markers(clip));
     }
   }
