@@ -38,7 +38,7 @@ struct LintOptions {
   /// pelvis; multiplied by 30 Hz / rate at frame rates below 30 Hz.
   Levels limb_jump_metres = {0.02, 0.04};
   Levels jitter_metres = {0.002, 0.003};  ///< standard deviation of noise on each coordinate
-  Levels lost_movement = {0.8, 0.95};     ///< share of the original's movement that is gone
+  Levels lost_movement = {0.75, 0.95};    ///< share of the original's movement that is gone
 
   // Feet.
   Levels skate_metres = {0.02, 0.05};        ///< slip of a foot while it bears weight

@@ -267,7 +267,6 @@ TEST_F(SeededCaptures, NinetyFiveOfAHundredStoppedArmsAreFound) {
     const Findings findings = find_still_limbs(lint_motion(clip), {}, lint_motion(capture));
     ++seeded;
     found += find(findings, "still-limb", "LeftWrist") ? 1 : 0;
-    if (!find(findings, "still-limb", "LeftWrist")) std::cerr << swing(clip)/swing(capture) << "\n";
   }
   EXPECT_GE(seeded, 30);
   EXPECT_GE(found, 0.95 * seeded) << found << " of " << seeded;
@@ -300,7 +299,6 @@ TEST_F(SeededCaptures, OneInTwentyCapturesAtMostHasErrorsOfTheseKinds) {
     add(find_jitter(motion, {}, nullptr));
     add(find_backward_elbows(motion, {}, nullptr));
     faulty += has_errors(findings) ? 1 : 0;
-    if (has_errors(findings)) std::cerr << capture.name << all_of(findings);
   }
   EXPECT_LE(faulty, 0.05 * static_cast<double>(captures.size())) << faulty;
 }
