@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Whole commands that make a film of each kind of figure:
-figure_times.py [--runs 3] [--qualities draft,standard] [--figures stick,mannequin,FILE] [--shutter 180] [MIEN ...]
+figure_times.py [--runs 3] [--qualities draft,standard] [--figures stick,mannequin,FILE] [--triangles 30000]
+                [--shutter 180] [MIEN ...]
 
 Frames per second and processor milliseconds per frame of `mien render`, 1280 x 720, of a walk of about
 190 frames: the median of the runs. With several programs (from before and after a change) the runs
@@ -14,6 +15,8 @@ import statistics
 import subprocess
 import tempfile
 import time
+
+from subdivided_character import write_subdivided
 
 
 def processor_seconds():
@@ -36,6 +39,7 @@ def main():
     options.add_argument("--runs", type=int, default=3)
     options.add_argument("--qualities", default="draft,standard")
     options.add_argument("--figures", default="stick,mannequin")
+    options.add_argument("--triangles", type=int, help="subdivide characters (.gltf) to so many triangles")
     options.add_argument("--shutter", default="0", help="motion blur, degrees")
     given = options.parse_args()
     programs = [str(pathlib.Path(program).resolve()) for program in given.programs]
@@ -46,6 +50,11 @@ def main():
         print("quality   figure                 program  frames/s  processor ms/frame")
         for quality in given.qualities.split(","):
             for figure in given.figures.split(","):
+                name = pathlib.PurePath(figure).name
+                if given.triangles and pathlib.Path(figure).exists():
+                    larger = f"{folder}/{name}"
+                    write_subdivided(figure, given.triangles, larger)
+                    figure = larger
                 times = [[] for _ in programs]
                 for _ in range(given.runs):
                     for number, program in enumerate(programs):
@@ -55,7 +64,6 @@ def main():
                         frames = int(line.split(": ")[1].split(" frames")[0])
                         times[number].append((wall, spent))
                 medians = [[statistics.median(column) for column in zip(*runs)] for runs in times]
-                name = pathlib.PurePath(figure).name
                 for number, (wall, spent) in enumerate(medians):
                     print(f"{quality:9} {name:22} {number + 1:7}  {frames / wall:8.1f}  {1000 * spent / frames:18.1f}")
                 if len(medians) > 1:
