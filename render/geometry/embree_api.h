@@ -26,6 +26,8 @@ inline void occluded8(const int* valid, RTCScene scene, RTCRay8* rays, bool cohe
   rtcOccluded8(valid, scene, rays, &arguments);
 }
 
+inline void occluded1(RTCScene scene, RTCRay* ray) { rtcOccluded1(scene, ray); }
+
 #else
 
 inline RTCIntersectContext context_for(bool coherent) {
@@ -43,6 +45,11 @@ inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8* rays, bool 
 inline void occluded8(const int* valid, RTCScene scene, RTCRay8* rays, bool coherent) {
   RTCIntersectContext context = context_for(coherent);
   rtcOccluded8(valid, scene, &context, rays);
+}
+
+inline void occluded1(RTCScene scene, RTCRay* ray) {
+  RTCIntersectContext context = context_for(false);
+  rtcOccluded1(scene, &context, ray);
 }
 
 #endif

@@ -113,18 +113,6 @@ float patch_crossings(const Contents& scene, std::size_t index, const PacketFiel
   return intersect_patch(moved, packet.rays(), lane, distances);
 }
 
-/// The rays of the packet that may hit a triangle of a patch: Embree offers a patch to rays of the
-/// packet that pass it by, too, if another ray enters its box. Returns whether there are any.
-bool find_rays_to_patch(const Contents& scene, std::size_t index, const PacketFields& packet,
-                        const int* valid, int* may_hit) {
-  const auto& [opening, closing] = scene.patch_boxes;
-  const Box box = closing.empty() ? opening[index] : hull(opening[index], closing[index]);
-  find_rays_through(box, packet.rays(), packet.far_distance(), may_hit);
-  int any = 0;
-  for (unsigned i = 0; i < packet.lanes; ++i) any |= may_hit[i] &= valid[i];
-  return any != 0;
-}
-
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {
   return shapes.all_present || ((packet.present(lane) >> shapes.figures[shape]) & 1u) != 0;
 }
@@ -185,11 +173,15 @@ void occlude_by_cone(const RTCOccludedFunctionNArguments* arguments) {
 void intersect_triangles(const RTCIntersectFunctionNArguments* arguments) {
   const Contents& scene = contents_of(arguments->geometryUserPtr);
   PacketHits hits(arguments);
+  // Embree offers a patch to rays that pass it by, too, if another ray enters its box.
   int may_hit[max_lanes];
-  if (!find_rays_to_patch(scene, arguments->primID, hits.packet, arguments->valid, may_hit)) return;
+  const auto& [opening, closing] = scene.patch_boxes;
+  const Box& box = opening[arguments->primID];
+  find_rays_through(closing.empty() ? box : hull(box, closing[arguments->primID]),
+                    hits.packet.rays(), hits.packet.far_distance(), may_hit);
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < hits.packet.lanes; ++i) {
-    if (may_hit[i] == 0) continue;
+    if ((may_hit[i] & arguments->valid[i]) == 0) continue;
     const float nearest = patch_crossings(scene, arguments->primID, hits.packet, i, distances);
     if (nearest > hits.packet.far_distance()[i]) continue;
     for (unsigned k = 0; k < patch_size; ++k)
@@ -203,14 +195,12 @@ void occlude_by_triangles(const RTCOccludedFunctionNArguments* arguments) {
   const Shapes& shapes = scene.shapes;
   const PacketFields packet{reinterpret_cast<float*>(arguments->ray), arguments->N};
   float* reach = packet.far_distance();
-  int may_hit[max_lanes];
-  if (!find_rays_to_patch(scene, arguments->primID, packet, arguments->valid, may_hit)) return;
   if (shapes.all_present && shapes.closing_triangles.empty())
-    return occlude_by_patch(scene.patches[arguments->primID], packet.rays(), may_hit, packet.lanes,
-                            reach);
+    return occlude_by_patch(scene.patches[arguments->primID], packet.rays(), arguments->valid,
+                            packet.lanes, reach);
   alignas(32) float distances[patch_size];
   for (unsigned i = 0; i < packet.lanes; ++i) {
-    if (may_hit[i] == 0) continue;
+    if (arguments->valid[i] == 0) continue;
     patch_crossings(scene, arguments->primID, packet, i, distances);
     for (std::size_t k = 0; k < patch_size; ++k)
       if (distances[k] < reach[i] &&
@@ -235,6 +225,23 @@ void copy_rays(const RayPacket& rays, RTCRay8& out, std::array<int, packet_size>
     out.flags[i] = 0;
     valid[static_cast<std::size_t>(i)] = i < rays.count ? -1 : 0;
   }
+}
+
+RTCRay single_ray(const RayPacket& rays, int i) {
+  RTCRay ray;
+  ray.org_x = rays.origin_x[i];
+  ray.org_y = rays.origin_y[i];
+  ray.org_z = rays.origin_z[i];
+  ray.tnear = 0.0f;
+  ray.dir_x = rays.direction_x[i];
+  ray.dir_y = rays.direction_y[i];
+  ray.dir_z = rays.direction_z[i];
+  ray.time = rays.time[i];
+  ray.tfar = rays.reach[i];
+  ray.mask = ~0u;
+  ray.id = rays.present[i];
+  ray.flags = 0;
+  return ray;
 }
 
 void throw_on_error(RTCDevice device, const char* what) {
@@ -339,7 +346,7 @@ Hits EmbreeScene::intersect(const RayPacket& rays) const {
   return hits;
 }
 
-std::uint32_t EmbreeScene::occluded(const RayPacket& rays) const {
+std::uint32_t EmbreeScene::occluded_together(const RayPacket& rays) const {
   RTCRay8 packet;
   alignas(32) std::array<int, packet_size> valid;
   copy_rays(rays, packet, valid);
@@ -347,6 +354,16 @@ std::uint32_t EmbreeScene::occluded(const RayPacket& rays) const {
   std::uint32_t blocked = 0;
   for (int i = 0; i < rays.count; ++i)
     if (packet.tfar[i] < 0.0f) blocked |= 1u << i;
+  return blocked;
+}
+
+std::uint32_t EmbreeScene::occluded_singly(const RayPacket& rays) const {
+  std::uint32_t blocked = 0;
+  for (int i = 0; i < rays.count; ++i) {
+    RTCRay ray = single_ray(rays, i);
+    embree::occluded1(scene_, &ray);
+    if (ray.tfar < 0.0f) blocked |= 1u << i;
+  }
   return blocked;
 }
 

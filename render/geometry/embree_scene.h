@@ -78,10 +78,17 @@ class EmbreeScene {
   /// rays.
   Hits intersect(const RayPacket& rays) const;
 
-  /// Returns a bit mask: bit i is set when a shape occludes ray i within its reach.
-  std::uint32_t occluded(const RayPacket& rays) const;
+  /// Returns a bit mask: bit i is set when a shape occludes ray i within its reach. Triangles are
+  /// searched for each ray by itself: shadow rays diverge, and a packet would visit the boxes of
+  /// all its rays. Round cones are faster tested against eight rays at a time.
+  std::uint32_t occluded(const RayPacket& rays) const {
+    return shapes().triangles.empty() ? occluded_together(rays) : occluded_singly(rays);
+  }
 
  private:
+  std::uint32_t occluded_together(const RayPacket& rays) const;
+  std::uint32_t occluded_singly(const RayPacket& rays) const;
+
   std::unique_ptr<Contents> contents_;
   RTCSceneTy* scene_ = nullptr;
 };

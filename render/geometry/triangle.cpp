@@ -10,7 +10,8 @@ namespace mien::render {
 namespace {
 
 /// Where a ray crosses the planes of the triangles, as the distance times the cosine between ray
-/// and normal, and this cosine; whether within the triangle.
+/// and normal, and this cosine; whether ahead of its origin and within the triangle. Complete only
+/// if any of them is.
 struct Crossings {
   alignas(32) float scaled[patch_size];
   alignas(32) float facing[patch_size];
@@ -26,19 +27,28 @@ struct Crossings {
   int any = 0;
 #pragma omp simd reduction(| : any)
   for (std::size_t i = 0; i < patch_size; ++i) {
+    const float nx = patch.normal.x[i], ny = patch.normal.y[i], nz = patch.normal.z[i];
+    const float scaled =
+        nx * (patch.a.x[i] - ox) + ny * (patch.a.y[i] - oy) + nz * (patch.a.z[i] - oz);
+    const float facing = nx * dx + ny * dy + nz * dz;
+    found.scaled[i] = scaled;
+    found.facing[i] = facing;
+    found.inside[i] = ((scaled > 0.0f) & (facing > 0.0f)) | ((scaled < 0.0f) & (facing < 0.0f));
+    any |= found.inside[i];
+  }
+  // Often so: a ray that leaves a surface has the triangles around its origin behind it.
+  if (any == 0) return 0;
+  any = 0;
+#pragma omp simd reduction(| : any)
+  for (std::size_t i = 0; i < patch_size; ++i) {
     const auto side = [&](const TrianglePatch::Edge& edge) {
       const PatchVectors &vector = edge.vector, &moment = edge.moment;
       return (dx * moment.x[i] + mx * vector.x[i]) + (dy * moment.y[i] + my * vector.y[i]) +
              (dz * moment.z[i] + mz * vector.z[i]);
     };
     const float u = side(patch.bc), v = side(patch.ca), w = side(patch.ab);
-    const float nx = patch.normal.x[i], ny = patch.normal.y[i], nz = patch.normal.z[i];
-    found.scaled[i] =
-        nx * (patch.a.x[i] - ox) + ny * (patch.a.y[i] - oy) + nz * (patch.a.z[i] - oz);
-    found.facing[i] = nx * dx + ny * dy + nz * dz;
-    found.inside[i] =
-        (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) &
-        (found.facing[i] != 0.0f);
+    found.inside[i] &=
+        ((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f));
     any |= found.inside[i];
   }
   return any;

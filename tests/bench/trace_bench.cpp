@@ -197,15 +197,10 @@ std::vector<RTCRay> one_by_one(const std::vector<RayPacket>& packets) {
 
 #if RTC_VERSION_MAJOR >= 4
 void intersect1(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray); }
-void occluded1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
 #else
 void intersect1(RTCScene scene, RTCRayHit& ray) {
   RTCIntersectContext context = embree::context_for(true);
   rtcIntersect1(scene, &context, &ray);
-}
-void occluded1(RTCScene scene, RTCRay& ray) {
-  RTCIntersectContext context = embree::context_for(false);
-  rtcOccluded1(scene, &context, &ray);
 }
 #endif
 
@@ -323,7 +318,7 @@ void shadow_bare_embree_by_1(benchmark::State& state) {
   for (auto _ : state) {
     met = 0;
     for (RTCRay ray : rays) {
-      occluded1(figure.get(), ray);
+      embree::occluded1(figure.get(), &ray);
       met += ray.tfar < 0.0f;
     }
     benchmark::DoNotOptimize(met);
