@@ -31,8 +31,9 @@ constexpr FloorArea anywhere{-infinity, infinity, -infinity, infinity};
 
 // The shadow of a convex body from a convex light lies in the hull of the shadows of its corners
 // from the light's corners: for each light point the projection onto the floor keeps lines
-// straight, and so it does in the light point for each point of the body.
-FloorArea shadow_area(const AreaLight& light, const Box& box) {
+// straight, and so it does in the light point for each point of the body. The area has the frame of
+// a grid that is turned.
+FloorArea shadow_area(const AreaLight& light, const Box& box, float cosine, float sine) {
   FloorArea area = nowhere;
   for (const Vec3& corner : corners_of(box)) {
     for (const float u : {-1.0f, 1.0f}) {
@@ -43,10 +44,11 @@ FloorArea shadow_area(const AreaLight& light, const Box& box) {
         const float stretch = height / (lamp.y() - height);
         const float x = corner.x() + stretch * (corner.x() - lamp.x());
         const float z = corner.z() + stretch * (corner.z() - lamp.z());
-        area.x_min = std::min(area.x_min, x);
-        area.x_max = std::max(area.x_max, x);
-        area.z_min = std::min(area.z_min, z);
-        area.z_max = std::max(area.z_max, z);
+        const float along = cosine * x + sine * z, across = cosine * z - sine * x;
+        area.x_min = std::min(area.x_min, along);
+        area.x_max = std::max(area.x_max, along);
+        area.z_min = std::min(area.z_min, across);
+        area.z_max = std::max(area.z_max, across);
       }
     }
   }
@@ -70,10 +72,15 @@ bool is_behind(const AreaLight& light, const PreparedCone& solid) {
 }
 
 ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
+  const Vec3& side = light.half_u;
+  if (const float length = std::hypot(side.x(), side.z()); length > 0.0f) {
+    cosine_ = side.x() / length;
+    sine_ = side.z() / length;
+  }
   std::vector<FloorArea> areas;
   area_ = nowhere;
   const auto add = [&](const Box& box) {
-    const FloorArea area = shadow_area(light, box);
+    const FloorArea area = shadow_area(light, box, cosine_, sine_);
     areas.push_back(area);
     area_.x_min = std::min(area_.x_min, area.x_min);
     area_.x_max = std::max(area_.x_max, area.x_max);
@@ -96,10 +103,21 @@ ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   columns_per_metre_ = cells / std::max(area_.x_max - area_.x_min, 1e-3f);
   rows_per_metre_ = cells / std::max(area_.z_max - area_.z_min, 1e-3f);
   touched_.assign(std::size_t{cells} * cells, 0);
-  for (const FloorArea& area : areas)
-    for (int z = row(area.z_min); z <= row(area.z_max); ++z)
-      for (int x = column(area.x_min); x <= column(area.x_max); ++x)
-        touched_[static_cast<std::size_t>(z * cells + x)] = 1;
+  for (const FloorArea& area : areas) {
+    const int first = column(area.x_min), count = column(area.x_max) - first + 1;
+    const int last = row(area.z_max);
+    for (int z = row(area.z_min); z <= last; ++z)
+      std::fill_n(touched_.begin() + z * cells + first, count, std::uint8_t{1});
+  }
+}
+
+FloorArea ShadowMask::turned(const FloorArea& area) const {
+  const float x = 0.5f * (area.x_min + area.x_max), z = 0.5f * (area.z_min + area.z_max);
+  const float width = 0.5f * (area.x_max - area.x_min), depth = 0.5f * (area.z_max - area.z_min);
+  const float along = cosine_ * x + sine_ * z, across = cosine_ * z - sine_ * x;
+  const float reach_along = std::abs(cosine_) * width + std::abs(sine_) * depth;
+  const float reach_across = std::abs(cosine_) * depth + std::abs(sine_) * width;
+  return {along - reach_along, along + reach_along, across - reach_across, across + reach_across};
 }
 
 int ShadowMask::column(float x) const {
@@ -111,8 +129,9 @@ int ShadowMask::row(float z) const {
   return static_cast<int>(std::clamp((z - area_.z_min) * rows_per_metre_, 0.0f, float(cells - 1)));
 }
 
-bool ShadowMask::may_shade(const FloorArea& area) const {
+bool ShadowMask::may_shade(const FloorArea& floor) const {
   if (everywhere_) return true;
+  const FloorArea area = turned(floor);
   if (!overlap(area, area_)) return false;
   for (int z = row(area.z_min - rounding); z <= row(area.z_max + rounding); ++z)
     for (int x = column(area.x_min - rounding); x <= column(area.x_max + rounding); ++x)
@@ -120,8 +139,9 @@ bool ShadowMask::may_shade(const FloorArea& area) const {
   return false;
 }
 
-bool ShadowMask::may_shade_all(const FloorArea& area) const {
+bool ShadowMask::may_shade_all(const FloorArea& floor) const {
   if (everywhere_) return true;
+  const FloorArea area = turned(floor);
   if (area.x_min < area_.x_min || area.x_max > area_.x_max || area.z_min < area_.z_min ||
       area.z_max > area_.z_max)
     return false;
@@ -131,7 +151,8 @@ bool ShadowMask::may_shade_all(const FloorArea& area) const {
   return true;
 }
 
-float ShadowMask::add_casters(const FloorArea& area, std::vector<int>& cones) const {
+float ShadowMask::add_casters(const FloorArea& floor, std::vector<int>& cones) const {
+  const FloorArea area = turned(floor);
   float height = infinity;
   for (const Caster& caster : casters_) {
     if (!overlap(area, caster.area)) continue;

@@ -19,7 +19,8 @@ struct FloorArea {
 /// Returns whether a solid lies entirely behind the plane of the light, where it cannot occlude it.
 bool is_behind(const AreaLight& light, const PreparedCone& solid);
 
-/// A grid of floor cells that marks where the shapes may occlude all or part of a light.
+/// A grid of floor cells that marks where the shapes may occlude all or part of a light. It is
+/// turned to the sides of the light, as are penumbrae, so that cells and bounds are tight.
 class ShadowMask {
  public:
   ShadowMask(const AreaLight& light, const Shapes& shapes);
@@ -39,16 +40,21 @@ class ShadowMask {
  private:
   static constexpr int cells = 128;  // cells per side
 
-  /// The area of the floor from which a piece of a round cone may occlude the light.
+  /// The area of the floor, in the frame of the grid, from which a piece of a round cone may
+  /// occlude the light.
   struct Caster {
     FloorArea area;
     int cone;
     float height;  // height of the piece's lowest point, metres
   };
 
+  /// Bounds of an area of the floor in the frame of the grid.
+  FloorArea turned(const FloorArea& area) const;
   int column(float x) const;
   int row(float z) const;
 
+  float cosine_ = 1.0f;  // of the angle by which the grid is turned
+  float sine_ = 0.0f;
   bool everywhere_ = false;
   FloorArea area_{0.0f, -1.0f, 0.0f, -1.0f};
   float columns_per_metre_ = 0.0f;
