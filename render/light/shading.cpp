@@ -185,9 +185,13 @@ Color texel_at(const Texture& texture, float u, float v) {
   const float x = (u - std::floor(u)) * static_cast<float>(texture.width) - 0.5f;
   const float y = (v - std::floor(v)) * static_cast<float>(texture.height) - 0.5f;
   const float left = std::floor(x), top = std::floor(y);
+  // Both neighbours lie at most one texel outside.
+  const auto wrapped = [](float at, int size) {
+    const int i = static_cast<int>(at);
+    return i < 0 ? i + size : i >= size ? i - size : i;
+  };
   const auto texel = [&](float column, float row) -> const Color& {
-    const int i = (static_cast<int>(column) + texture.width) % texture.width;
-    const int j = (static_cast<int>(row) + texture.height) % texture.height;
+    const int i = wrapped(column, texture.width), j = wrapped(row, texture.height);
     return texture.texels[static_cast<std::size_t>(j) * static_cast<std::size_t>(texture.width) +
                           static_cast<std::size_t>(i)];
   };
