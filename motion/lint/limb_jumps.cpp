@@ -13,7 +13,7 @@ namespace {
 constexpr double surroundings_seconds = 0.3;  // before and after a step
 constexpr int own_steps = 2;                  // around a jump, which changes them too
 constexpr double times_surroundings = 1.5;    // a jump is so much larger than any other change
-constexpr double flung_share = 0.5;                 // share of a step by which the next may differ
+constexpr double flung_share = 0.5;           // share of a step by which the next may differ
 
 std::vector<Vec3> steps_of(const std::vector<Vec3>& path) {
   std::vector<Vec3> steps;
