@@ -105,32 +105,33 @@ void set_body_model(NamedRecording& named, const std::string& model) {
 
 std::vector<CommandOption> options_for(RecordingArguments& arguments,
                                        const std::string& how_often) {
-  return {option("--take", &arguments.takes,
-                 "Motion to use from a file with several (listed by mien motion info); also as "
-                 "FILE#TAKE" +
-                     how_often)
-              .values(1, 1),
-          option("--subject", &arguments.subjects,
-                 "Name or number of the person to use from a file with several (listed by mien "
-                 "motion info)" +
-                     how_often)
-              .values(1, 1),
-          option("--recorded-fps", &arguments.rates,
-                 "Frames per second of the recording, for files that do not state it; a rate that the "
-                 "file states is used instead (fps: in manifests)" +
-                     how_often)
-              .values(1, 1)
-              .positive(),
-          option("--joints", &arguments.joints,
-                 "Points of a file without names: their names, separated by commas, or humanml3d, "
-                 "smpl, h36m, kinect, body_25 or mediapipe for a known order" +
-                     how_often)
-              .values(1, 1),
-          option("--body-model", &arguments.body_models,
-                 "Your SMPL, SMPL-H or SMPL-X model (.npz), whose proportions an SMPL motion "
-                 "(.npz) gets" +
-                     how_often)
-              .values(1, 1)};
+  return {
+      option("--take", &arguments.takes,
+             "Motion to use from a file with several (listed by mien motion info); also as "
+             "FILE#TAKE" +
+                 how_often)
+          .values(1, 1),
+      option("--subject", &arguments.subjects,
+             "Name or number of the person to use from a file with several (listed by mien "
+             "motion info)" +
+                 how_often)
+          .values(1, 1),
+      option("--recorded-fps", &arguments.rates,
+             "Frames per second of the recording, for files that do not state it; a rate that the "
+             "file states is used instead (fps: in manifests)" +
+                 how_often)
+          .values(1, 1)
+          .positive(),
+      option("--joints", &arguments.joints,
+             "Points of a file without names: their names, separated by commas, or humanml3d, "
+             "smpl, h36m, kinect, body_25 or mediapipe for a known order" +
+                 how_often)
+          .values(1, 1),
+      option("--body-model", &arguments.body_models,
+             "Your SMPL, SMPL-H or SMPL-X model (.npz), whose proportions an SMPL motion "
+             "(.npz) gets" +
+                 how_often)
+          .values(1, 1)};
 }
 
 }  // namespace
