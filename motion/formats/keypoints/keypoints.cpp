@@ -112,11 +112,11 @@ PointRecording recording_of(KeypointTake take, const KeypointFile& file, std::si
   recording.positions.assign(cells, Vec3::Zero());
   recording.seen.assign(cells, false);
   std::vector<Keypoint> found(points);
-  for (std::size_t moment = 0; moment < take.moments.size(); ++moment) {
-    if (take.moments[moment] == nullptr) continue;
+  for (std::size_t m = 0; m < take.moments.size(); ++m) {
+    if (take.moments[m] == nullptr) continue;
     std::ranges::fill(found, Keypoint{});
-    take.read_points(*take.moments[moment], moment, found);
-    const std::size_t start = static_cast<std::size_t>(timing.frame_of[moment]) * points;
+    take.read_points(*take.moments[m], m, found);
+    const std::size_t start = static_cast<std::size_t>(timing.frame_of[m]) * points;
     for (std::size_t p = 0; p < points; ++p) {
       if (!found[p].is_seen) continue;
       recording.positions[start + p] = found[p].position;
