@@ -15,6 +15,7 @@
 #include "motion/math/rotation.h"
 #include "motion/refusal.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/temporary_folder.h"
 #include "render/scene/texture_io.h"
 #include "scenes/character/character.h"
 #include "scenes/fbx_of_gltf.h"
@@ -241,12 +242,7 @@ TEST(AnFbxCharacter, TakesTheTextureCoordinatesThatItsTextureNames) {
 
 class FbxPictures : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "mien_fbx_pictures";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_ / "figure.fbm");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  FbxPictures() { fs::create_directories(folder_ / "figure.fbm"); }
 
   /// The pictures of a character that names its picture so.
   Character read(const std::string& picture_name) const {
@@ -267,7 +263,8 @@ class FbxPictures : public testing::Test {
         << render::texture_png(embedded.textures.at(0), render::TextureUse::colour);
   }
 
-  fs::path folder_;
+  const mien::test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path() / "figures";
 };
 
 TEST_F(FbxPictures, AreFoundBesideTheFile) {
