@@ -49,6 +49,7 @@ const std::vector<NotRun> not_run = {
     {"./mien motion info trial.c3d", "needs a recording of markers (recorded_points_test.cpp)"},
     {"./mien motion info team.c3d", "needs a recording of several people (c3d_test.cpp)"},
     {"./mien motion info poses.npz", "needs a file without a frame rate (smpl_test.cpp)"},
+    {"./mien motion info openpose-output", "needs OpenPose's frames (keypoint_frames_test.cpp)"},
     {"./mien motion info track.npy", "needs points without names (npy_positions_test.cpp)"},
     {"./mien motion compare dance.c3d", "needs a recording of several people (people_test.cpp)"},
     {"./mien motion compare walk.fbx#Slow", "needs a file of several motions (cli_test.cpp)"},

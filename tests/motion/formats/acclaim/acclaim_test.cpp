@@ -168,10 +168,15 @@ TEST(Acclaim, ReadsRadiansInBothFiles) {
   expect_near(tip_of(radians, 1, "lower"), tip_of(arm(), 1, "lower"));
 }
 
-TEST(Acclaim, TakesTheRateFromTheCallerThenTheFileThenTheDatabase) {
+TEST(Acclaim, TakesTheRateFromTheFileThenTheCallerThenTheDatabase) {
   const std::string rated = replaced(arm_amc, ":DEGREES\n", ":DEGREES\n:SAMPLES-PER-SECOND 60\n");
-  EXPECT_EQ(arm(rated).frames_per_second, 60.0);
-  EXPECT_EQ(parse_amc({rated, "a.amc"}, {arm_asf, "a.asf"}, 100.0).frames_per_second, 100.0);
+  const auto rate_of = [](const std::string& amc, std::optional<double> given) {
+    return parse_amc({amc, "a.amc"}, {arm_asf, "a.asf"}, given).frames_per_second;
+  };
+  EXPECT_EQ(rate_of(rated, std::nullopt), 60.0);
+  EXPECT_EQ(rate_of(rated, 100.0), 60.0);
+  EXPECT_EQ(rate_of(arm_amc, 100.0), 100.0);
+  EXPECT_EQ(rate_of(arm_amc, std::nullopt), 120.0);
 }
 
 TEST(Acclaim, ReadsFilesWithCarriageReturns) {
