@@ -69,7 +69,8 @@ struct Crossings {
 }
 
 [[gnu::always_inline]] inline TrianglePatch patch_of(const PatchCorners& corners) {
-  const auto& [a, b, c] = corners;
+  // No structured binding: loops of OpenMP cannot use those.
+  const auto &a = corners.a, &b = corners.b, &c = corners.c;
   TrianglePatch patch;
 #pragma omp simd
   for (std::size_t i = 0; i < patch_size; ++i) {
