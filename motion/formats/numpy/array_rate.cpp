@@ -14,7 +14,11 @@ namespace {
 constexpr std::array<std::string_view, 6> rate_names = {
     "mocap_framerate", "mocap_frame_rate", "fps", "frame_rate", "framerate", "frames_per_second"};
 
-std::string ask_for_rate() { return std::string("state the rate with ") + rate_option; }
+std::string ask_for_rate() {
+  std::string remedy = "state the rate with ";
+  remedy += rate_option;
+  return remedy;
+}
 
 bool is_plausible(double rate) { return rate >= 0.1 && rate <= 10'000.0; }
 
