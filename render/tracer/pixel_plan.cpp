@@ -94,6 +94,15 @@ struct CellPixels {
   Color uniform_albedo;
 };
 
+/// Lane i of the result becomes lane `from[i]` of the values.
+[[gnu::always_inline]] inline void shuffle(const Octet& values, const Places& from, Octet& result) {
+#ifdef __clang__
+  for (int i = 0; i < 8; ++i) result[i] = values[from[i]];
+#else
+  result = __builtin_shuffle(values, from);
+#endif
+}
+
 /// Writes their radiance less the occluded sky light.
 template <bool even>
 [[gnu::always_inline]] inline void show_lit(const CellPixels& pixels, const FloorSky::Cell& cell,
@@ -125,8 +134,9 @@ template <bool even>
     const Octet pz = row.z + s * (row.from_z + u * row.step_z);
     const Octet along = (px - x) * inverse_side, across = (pz - z) * inverse_side;
     for (int part = 0; part < 3; ++part) {
-      const Octet right = __builtin_shuffle(along, thrice[part]);
-      const Octet far = __builtin_shuffle(across, thrice[part]);
+      Octet right, far;
+      shuffle(along, thrice[part], right);
+      shuffle(across, thrice[part], far);
       const std::size_t place = 3 * i + 8 * static_cast<std::size_t>(part);
       Octet lit, of_light = of_colour[part];
       std::memcpy(&lit, radiance + place, sizeof lit);

@@ -75,7 +75,9 @@ PreparedView Tracer::prepare(View view) {
 }
 
 RenderTarget Tracer::draw(PreparedView ready) {
-  const auto& [view, background, prepared] = contents_of(ready);
+  const PreparedView::Contents& contents = contents_of(ready);
+  const View& view = contents.view;
+  const PreparedScene& prepared = contents.prepared;
   const Camera& camera = view.camera;
   RenderTarget target{Framebuffer(camera.width, camera.height), {}};
   if (prepared.quality.background != Background::shown)
@@ -89,7 +91,9 @@ RenderTarget Tracer::draw(PreparedView ready) {
 }
 
 void Tracer::draw(PreparedView ready, const OnRegion& take) {
-  const auto& [view, background, prepared] = contents_of(ready);
+  const PreparedView::Contents& contents = contents_of(ready);
+  const View& view = contents.view;
+  const PreparedScene& prepared = contents.prepared;
   if (prepared.quality.background != Background::shown)
     throw std::logic_error("only a picture whose background is shown is drawn part by part");
   const Window window = window_of(view.camera);
