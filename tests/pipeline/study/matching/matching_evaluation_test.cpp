@@ -39,7 +39,7 @@ MatchingResults sessions() {
 }
 
 const MatchingMean& mean_of(const MatchingEvaluation& evaluation, MatchingMeasure measure,
-                            const std::string& interface, const std::string& target) {
+                            std::string_view interface, std::string_view target) {
   for (const MatchingMean& m : evaluation.means) {
     if (m.measure == measure && m.interface == interface && m.target == target) return m;
   }
@@ -126,8 +126,8 @@ std::vector<int> differences_with(int n, int w) {
 }
 
 const MatchingComparison& comparison_of(const MatchingEvaluation& evaluation,
-                                        MatchingMeasure measure, const std::string& target,
-                                        const std::string& first, const std::string& second) {
+                                        MatchingMeasure measure, std::string_view target,
+                                        std::string_view first, std::string_view second) {
   for (const MatchingComparison& c : evaluation.comparisons)
     if (c.measure == measure && c.target == target && c.first == first && c.second == second)
       return c;
