@@ -22,14 +22,13 @@ struct PointAxes {
 ///
 /// Up: by the names of the points, else by the shape of the cloud, else as is usual in the format
 /// (upward.h); then it is assumed, and the note says so. People who lie, or in C3D and TRC files
-/// stand on their hands,
-/// are recognized by the floor: +Y or +Z is up if the points begin at its zero (below) in all
-/// frames, but not at that of the body's own axis, and the body extends along it by less than half
-/// of its length or is upside down, and it does not stand along the usual axis of the format; the
-/// note says so. Unit: as the file states it, otherwise the
-/// one in which the body is of human height (unit_guess.h), or 0.5–2.5 m tall in metres,
-/// centimetres or millimetres. Floor: the file's zero if the lowest point (3rd percentile over the
-/// frames) is within −0.02 and 0.12 m of it, otherwise the height of that point.
+/// stand on their hands, are recognized by the floor: +Y or +Z is up if the points begin at its
+/// zero (below) in all frames, but not at that of the body's own axis, and the body extends along
+/// it by less than half of its length or is upside down, and it does not stand along the usual axis
+/// of the format; the note says so. Unit: as the file states it, otherwise the one in which the
+/// body is of human height (unit_guess.h), or 0.5–2.5 m tall in metres, centimetres or millimetres.
+/// Floor: the file's zero if the lowest point (3rd percentile over the frames) is within −0.02 and
+/// 0.12 m of it, otherwise the height of that point.
 PointAxes point_axes(const PointRecording& recording);
 
 /// The recording in metres with +Y up and the floor at 0. Horizontal places and headings stay as

@@ -7,8 +7,8 @@
 
 namespace mien::motion {
 
-/// What the name of a frame's file says: OpenPose writes each frame of a recording to a file of its
-/// own, "walk_000000000012_keypoints.json".
+/// What the name of a frame's file says: OpenPose writes each frame of a recording to a separate
+/// file, "walk_000000000012_keypoints.json".
 struct FrameFileName {
   std::string recording;    ///< "walk"
   std::int64_t number = 0;  ///< 12

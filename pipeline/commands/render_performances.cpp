@@ -17,7 +17,7 @@
 #include "motion/lint/lint.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
-#include "motion/skeleton/common_frames.h"
+#include "motion/skeleton/simultaneous_frames.h"
 #include "motion/skeleton/straighten.h"
 #include "motion/text/excerpt.h"
 
@@ -95,7 +95,7 @@ std::vector<scenes::Performance> people_of(NamedRecording named, const Output& o
     first_frames.push_back(motion.first_frame);
     performances.push_back({.name = name_among(names, person.empty() ? "figure" : person)});
   }
-  if (!motion::cut_to_common_frames(clips, first_frames))
+  if (!motion::cut_to_simultaneous_frames(clips, first_frames))
     throw Error(Place{named.file}, "there is no frame in which all people are known",
                 "choose one with --subject");
   for (std::size_t i = 0; i < clips.size(); ++i) performances[i].clip = as_filmed(clips[i], output);

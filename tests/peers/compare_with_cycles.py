@@ -14,8 +14,8 @@ the exit code is 1. --agreement checks nothing else, and may run on a busy machi
 renderer draws matte surfaces, because their specular lobes have other formulas; --sheen shows how far
 those differ.
 
-Smoothly shaded triangles have no light of their own to agree about: shading normals that lean away from
-the triangle see light from below its plane, which mien adds and Cycles leaves out. Of the mannequin the
+For smoothly shaded triangles the two solve different equations: shading normals that lean away from the
+triangle see light from below its plane, which mien adds and Cycles leaves out. Of the mannequin the
 folds, where that happens (light_from_below), are therefore listed by themselves and judged by 2 %; the
 flat-mannequin has the same triangles without smooth shading, and is judged by 0.5 % everywhere.
 """

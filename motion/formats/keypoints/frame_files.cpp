@@ -1,4 +1,4 @@
-// The frames of a recording that are files of their own, as OpenPose writes them.
+// Recordings of one file per frame, as OpenPose writes them.
 
 #include <utility>
 

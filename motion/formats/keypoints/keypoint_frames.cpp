@@ -77,7 +77,7 @@ fs::path only_keypoint_recording(const fs::path& folder) {
 void require_readable_frames(const std::vector<fs::path>& frames) {
   const auto refuse = [&](const std::string& wrong) {
     throw Error({frames.front().parent_path().string()}, wrong,
-                "cut the recording into shorter ones, in folders of their own");
+                "cut the recording into shorter ones, each in a separate folder");
   };
   if (frames.size() > max_keypoint_frames)
     refuse("holds " + std::to_string(frames.size()) + " frames, more than the " +

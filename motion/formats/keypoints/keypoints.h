@@ -31,7 +31,7 @@ inline constexpr std::size_t max_keypoint_bytes = std::size_t{256} << 20;
 /// (column_name.h). FreeMoCap's times have no stated unit and are not read. Other numbers of points
 /// take their names from the landmarks, or from `options.joints`.
 ///
-/// OpenPose writes each frame to a file of its own: the folder of these files is read as one
+/// OpenPose writes each frame to a separate file: the folder of these files is read as one
 /// recording, and so is any of them, with a note (keypoint_frames.h). Frames that are missing in
 /// the numbering are gaps.
 ///

@@ -22,7 +22,7 @@ class RestrictedMotions : public testing::Test {
     for (const char* name : {"own.bvh", "lent.bvh"}) motion::write_motion(walk, folder / name);
   }
 
-  /// What is told of a study with a stimulus of each file.
+  /// The faults of a study with a stimulus of each file.
   std::vector<std::string> told(const std::string& section) const {
     const fs::path file = folder / "m.yaml";
     write_file(file,

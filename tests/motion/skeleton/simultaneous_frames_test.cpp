@@ -1,4 +1,4 @@
-#include "motion/skeleton/common_frames.h"
+#include "motion/skeleton/simultaneous_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@ Clip frames_from(int first, int count) {
   return clip;
 }
 
-TEST(CommonFrames, AreTheSameMomentsInAllClips) {
+TEST(SimultaneousFrames, AreTheSameMomentsInAllClips) {
   const std::vector<int> firsts = {3, 10, 0};
   std::vector<Clip> clips = {frames_from(3, 30), frames_from(10, 12), frames_from(0, 40)};
-  ASSERT_TRUE(cut_to_common_frames(clips, firsts));
+  ASSERT_TRUE(cut_to_simultaneous_frames(clips, firsts));
   for (const Clip& clip : clips) {
     ASSERT_EQ(clip.frame_count(), 12);
     for (int frame = 0; frame < 12; ++frame)
@@ -29,16 +29,16 @@ TEST(CommonFrames, AreTheSameMomentsInAllClips) {
   }
 }
 
-TEST(CommonFrames, MayBeOneOrNone) {
+TEST(SimultaneousFrames, MayBeOneOrNone) {
   const std::vector<int> meeting = {0, 4};
   std::vector<Clip> clips = {frames_from(0, 5), frames_from(4, 9)};
-  ASSERT_TRUE(cut_to_common_frames(clips, meeting));
+  ASSERT_TRUE(cut_to_simultaneous_frames(clips, meeting));
   EXPECT_EQ(clips[0].frame_count(), 1);
   EXPECT_EQ(clips[1].poses.front().root_position.y(), 4);
 
   const std::vector<int> apart = {0, 5};
   clips = {frames_from(0, 5), frames_from(5, 9)};
-  EXPECT_FALSE(cut_to_common_frames(clips, apart));
+  EXPECT_FALSE(cut_to_simultaneous_frames(clips, apart));
   EXPECT_EQ(clips[0].frame_count(), 5);
   EXPECT_EQ(clips[1].frame_count(), 9);
 }

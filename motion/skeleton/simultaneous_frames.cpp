@@ -1,11 +1,11 @@
-#include "motion/skeleton/common_frames.h"
+#include "motion/skeleton/simultaneous_frames.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace mien::motion {
 
-bool cut_to_common_frames(std::span<Clip> clips, std::span<const int> first_frames) {
+bool cut_to_simultaneous_frames(std::span<Clip> clips, std::span<const int> first_frames) {
   int first = 0;
   int end = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < clips.size(); ++i) {
