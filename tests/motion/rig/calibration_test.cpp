@@ -82,10 +82,10 @@ TEST(Calibration, DoesNotTakeEyesAndJawForTheCrown) {
   Recording without = to_recording(steady());
   without.skeleton.joints[Head].tip.reset();
   Recording with_face = without;
-  const std::pair<const char*, Vec3> parts[] = {{"LeftEye", {0.03, 0.07, 0.08}},
-                                                {"RightEye", {-0.03, 0.07, 0.08}},
+  const std::pair<const char*, Vec3> parts[] = {{"LeftEye", {0.03, 0.10, 0.09}},
+                                                {"RightEye", {-0.03, 0.10, 0.09}},
                                                 {"jaw", {0.0, -0.02, 0.05}},
-                                                {"jaw_end", {0.0, -0.05, 0.12}}};
+                                                {"jaw_end", {0.0, -0.01, 0.03}}};
   for (const auto& [name, offset] : parts)
     with_face.skeleton.joints.push_back({name, Head, offset, std::nullopt});
   for (Pose& pose : with_face.poses)

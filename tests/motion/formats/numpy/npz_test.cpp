@@ -122,6 +122,13 @@ TEST(Npz, ADamagedArrayIsFound) {
   EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
 }
 
+// Of a long array only the beginning is read twice.
+TEST(Npz, DamageAtTheEndOfALongArrayIsFound) {
+  std::string file = npz_file({{"poses", npy_f8("(20000,)", std::vector<double>(20'000, 0.5))}});
+  file[file.find("PK\x01\x02") - 100] ^= 1;
+  EXPECT_TRUE(contains(refusal_of_npz(file), "the array \"poses\" cannot be unpacked"));
+}
+
 TEST(Npz, ADeflatedArrayMustHaveItsStatedSizeAndChecksum) {
   std::vector<double> numbers(3000);
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i % 11);
