@@ -45,7 +45,7 @@ double seconds_between(const FbxKey& a, const FbxKey& b) {
 
 double slope_between(const FbxKey& a, const FbxKey& b) {
   const double seconds = seconds_between(a, b);
-  return seconds > 0.0 ? (b.value - a.value) / seconds : 0.0;
+  return seconds > 0.0 ? (double{b.value} - double{a.value}) / seconds : 0.0;
 }
 
 /// The slope of an automatic key: 0 at the ends.
@@ -84,32 +84,42 @@ float weight_of(unsigned bits) {
   return std::clamp(static_cast<float>(bits) / 9999.0f, 0.0f, 1.0f);
 }
 
-/// Gives the keys the slopes of their forms; `form_of` returns that of a key.
+/// The tangents that a form states.
+FbxTangents stated_tangents(const KeyForm& form) {
+  FbxTangents tangents;
+  if (form.flags & flag::by_tension) return tangents;
+  const auto bits = std::bit_cast<std::uint32_t>(form.data[2]);
+  if (form.flags & flag::right_weighted) tangents.right_weight = weight_of(bits & 0xFFFF);
+  if (form.flags & flag::next_left_weighted) tangents.next_left_weight = weight_of(bits >> 16);
+  tangents.right_slope = form.data[0];
+  tangents.next_left_slope = form.data[1];
+  return tangents;
+}
+
+/// Sets the tangents beside a cubic key. Slopes that are worked out replace those in the file.
+void shape_cubic(FbxCurve& curve, size_t k, const KeyForm& form) {
+  curve.tangents[k] = stated_tangents(form);
+  Slopes slopes;
+  if (form.flags & flag::by_tension) {
+    slopes = tension_slopes(curve.keys, k, form);
+  } else if (form.flags & flag::automatic) {
+    slopes.left = slopes.right = automatic_slope(curve.keys, k, (form.flags & flag::clamped) != 0);
+  } else {
+    return;
+  }
+  curve.tangents[k].right_slope = static_cast<float>(slopes.right);
+  if (k > 0) curve.tangents[k - 1].next_left_slope = static_cast<float>(slopes.left);
+}
+
+/// Shapes the curve between the keys; `form_of` returns the form of a key.
 template <class FormOf>
-void shape(std::vector<FbxKey>& keys, FormOf form_of) {
-  for (size_t k = 0; k < keys.size(); ++k) {
+void shape(FbxCurve& curve, FormOf form_of) {
+  for (size_t k = 0; k < curve.keys.size(); ++k) {
     const KeyForm& form = form_of(k);
-    keys[k].to = to_of(form.flags);
-    if (keys[k].to == To::cubic) {
-      const auto bits = std::bit_cast<std::uint32_t>(form.data[2]);
-      if (form.flags & flag::right_weighted) keys[k].right_weight = weight_of(bits & 0xFFFF);
-      if (form.flags & flag::next_left_weighted) keys[k].next_left_weight = weight_of(bits >> 16);
-    }
-    if (!(form.flags & flag::cubic)) continue;
-    if (form.flags & (flag::automatic | flag::by_tension)) {
-      Slopes slopes;
-      if (form.flags & flag::by_tension) {
-        keys[k].right_weight = keys[k].next_left_weight = 1.0f / 3.0f;
-        slopes = tension_slopes(keys, k, form);
-      } else {
-        slopes.left = slopes.right = automatic_slope(keys, k, (form.flags & flag::clamped) != 0);
-      }
-      keys[k].right_slope = static_cast<float>(slopes.right);
-      if (k > 0) keys[k - 1].next_left_slope = static_cast<float>(slopes.left);
-      continue;
-    }
-    keys[k].right_slope = form.data[0];
-    keys[k].next_left_slope = form.data[1];
+    curve.keys[k].to = to_of(form.flags);
+    if (curve.keys[k].to != To::cubic) continue;
+    if (curve.tangents.empty()) curve.tangents.resize(curve.keys.size());
+    shape_cubic(curve, k, form);
   }
 }
 
@@ -120,9 +130,17 @@ void require_usable(const FbxDocument& document, std::uint32_t node,
     if (std::abs(keys[k].time) > latest || (k > 0 && keys[k].time < keys[k - 1].time)) {
       refuse_fbx(document, node, "the times of a curve's keys decrease or are too large");
     }
-    const bool is_usable = std::abs(keys[k].value) < 1e12 && std::isfinite(keys[k].right_slope) &&
-                           std::isfinite(keys[k].next_left_slope);
-    if (!is_usable) refuse_fbx(document, node, "a curve holds a number that is too large");
+    if (!(std::abs(keys[k].value) < 1e12f)) {
+      refuse_fbx(document, node, "a curve holds a number that is too large");
+    }
+  }
+}
+
+void require_finite(const FbxDocument& document, std::uint32_t node,
+                    const std::vector<FbxTangents>& tangents) {
+  for (const FbxTangents& each : tangents) {
+    if (std::isfinite(each.right_slope) && std::isfinite(each.next_left_slope)) continue;
+    refuse_fbx(document, node, "a curve holds a number that is too large");
   }
 }
 
@@ -209,12 +227,13 @@ std::vector<FbxKey>::const_iterator first_after(const std::vector<FbxKey>& keys,
                           [](std::int64_t wanted, const FbxKey& key) { return wanted < key.time; });
 }
 
-double cubic_value(const FbxKey& from, const FbxKey& to, double share) {
+double cubic_value(const FbxKey& from, const FbxKey& to, const FbxTangents& tangents,
+                   double share) {
   const double seconds = seconds_between(from, to);
-  const double x1 = from.right_weight;
-  const double x2 = 1.0 - from.next_left_weight;
-  const double y1 = from.value + from.right_slope * x1 * seconds;
-  const double y2 = to.value - from.next_left_slope * from.next_left_weight * seconds;
+  const double x1 = tangents.right_weight;
+  const double x2 = 1.0 - tangents.next_left_weight;
+  const double y1 = from.value + tangents.right_slope * x1 * seconds;
+  const double y2 = to.value - tangents.next_left_slope * tangents.next_left_weight * seconds;
   // The parameter at which the Bézier curve reaches the share of the time, which it does once.
   double low = 0.0;
   double high = 1.0;
@@ -261,13 +280,13 @@ FbxCurve parse_fbx_curve(const FbxDocument& document, std::uint32_t node) {
   size_t form = 0;
   std::int64_t left = runs.empty() ? 0 : runs.front();
   const KeyForm usual{flag::linear, {}};
-  shape(curve.keys, [&](size_t) -> const KeyForm& {
+  shape(curve, [&](size_t) -> const KeyForm& {
     if (forms.empty()) return usual;
     while (left <= 0 && form + 1 < std::min(forms.size(), runs.size())) left = runs[++form];
     if (left > 0) --left;
     return forms[form];
   });
-  require_usable(document, node, curve.keys);
+  require_finite(document, node, curve.tangents);
   return curve;
 }
 
@@ -283,7 +302,7 @@ FbxCurve parse_old_fbx_curve(const FbxDocument& document, std::uint32_t node) {
     FbxKey key;
     key.time = list.value->integer;
     list.advance();
-    key.value = list.number();
+    key.value = static_cast<float>(list.number());
     const char kind = letter_of(list.value);
     list.advance();
     KeyForm form{flag::linear, {}};
@@ -306,8 +325,8 @@ FbxCurve parse_old_fbx_curve(const FbxDocument& document, std::uint32_t node) {
                    std::to_string(curve.keys.size()) + " of a known form can be read");
   }
   require_usable(document, list_node, curve.keys);
-  shape(curve.keys, [&](size_t k) -> const KeyForm& { return forms[k]; });
-  require_usable(document, list_node, curve.keys);
+  shape(curve, [&](size_t k) -> const KeyForm& { return forms[k]; });
+  require_finite(document, list_node, curve.tangents);
   return curve;
 }
 
@@ -322,8 +341,10 @@ double value_at(const FbxCurve& curve, std::int64_t time) {
   if (from.to == To::constant_next) return after->value;
   const double share =
       static_cast<double>(time - from.time) / static_cast<double>(after->time - from.time);
-  if (from.to == To::linear) return from.value + share * (after->value - from.value);
-  return cubic_value(from, *after, share);
+  const double value = from.value;
+  if (from.to == To::linear) return value + share * (after->value - value);
+  const auto k = static_cast<size_t>(after - keys.begin()) - 1;
+  return cubic_value(from, *after, curve.tangents[k], share);
 }
 
 bool changes(const FbxCurve& curve) {

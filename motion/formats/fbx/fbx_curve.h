@@ -15,18 +15,23 @@ struct FbxKey {
   enum class To : std::uint8_t { constant, constant_next, linear, cubic };
 
   std::int64_t time = 0;  ///< ticks
-  double value = 0.0;
+  float value = 0.0f;     ///< of the precision that the format stores
   To to = To::constant;
-  float right_slope = 0.0f;      ///< of the curve after this key, units per second
-  float next_left_slope = 0.0f;  ///< of the curve before the next key
-  /// Lengths of the tangents along time, as shares of the time between the keys.
+};
+
+/// The tangents of a cubic curve between a key and the next one.
+struct FbxTangents {
+  float right_slope = 0.0f;      ///< after the key, units per second
+  float next_left_slope = 0.0f;  ///< before the next key
+  /// Lengths along time, as shares of the time between the keys.
   float right_weight = 1.0f / 3.0f;
   float next_left_weight = 1.0f / 3.0f;
 };
 
 /// A number over time. Before the first key and after the last it keeps their values.
 struct FbxCurve {
-  std::vector<FbxKey> keys;  ///< with times that do not decrease
+  std::vector<FbxKey> keys;           ///< with times that do not decrease
+  std::vector<FbxTangents> tangents;  ///< of the keys; empty if none is cubic
 };
 
 /// The curve of a node "AnimationCurve" (version 7000 and later): KeyTime, KeyValueFloat, and by

@@ -133,6 +133,7 @@ std::vector<Pose> sampled(const FbxScene& scene, const FbxFigure& figure, FbxAni
   for (size_t frame = 0; frame < timing.frames; ++frame) {
     apply(animation, scene.models, time_of_frame(timing, frame), moving);
     poses.push_back(fbx_pose(scene, figure, moving));
+    if (frame > 0 && has_offsets_of(poses.front(), poses.back())) poses.back().offsets = {};
   }
   return poses;
 }

@@ -158,6 +158,14 @@ TEST(Fbx, FindsAutomaticTangents) {
   EXPECT_NEAR(curve_at({{0, 1, 2}, {0, 1, 0.5}, {0x6108}}, 2.0)[1], 0.5, 1e-6);
 }
 
+TEST(Fbx, KeepsTheStatedSlopeBeforeAKeyThatFollowsAnAutomaticOne) {
+  // The first key is automatic (flat at the end), the second one is linear: the curve arrives at it
+  // with the slope of 4 per second that is stored with the first one.
+  const std::vector<double> x =
+      curve_at({{0, 1}, {0, 1}, {0x108, 0x4}, {0, 4, 0, 0, 0, 0, 0, 0}, {1, 1}}, 2.0);
+  EXPECT_NEAR(x[1], 0.5 - 4.0 / 8.0, 1e-6);
+}
+
 TEST(Fbx, GivesRunsOfKeysTheirForms) {
   // Two constant keys, then linear.
   const std::vector<double> x =
