@@ -108,9 +108,8 @@ float patch_crossings(const Contents& scene, std::size_t index, const PacketFiel
                       unsigned lane, float* distances) {
   if (scene.closing_patches.empty())
     return intersect_patch(scene.patches[index], packet.rays(), lane, distances);
-  const TrianglePatch moved = patch_between(scene.opening_patches[index],
-                                            scene.closing_patches[index], packet.time()[lane]);
-  return intersect_patch(moved, packet.rays(), lane, distances);
+  return intersect_moving_patch(scene.opening_patches[index], scene.closing_patches[index],
+                                packet.time()[lane], packet.rays(), lane, distances);
 }
 
 bool is_there(const Shapes& shapes, std::size_t shape, const PacketFields& packet, unsigned lane) {

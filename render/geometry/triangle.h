@@ -37,27 +37,28 @@ struct PatchCorners {
   PatchVectors c;
 };
 
-/// Up to eight triangles, prepared for intersection: their planes, and the lines of their edges
-/// from b to c, c to a and a to b. No ray hits triangles without area.
-struct TrianglePatch {
+/// The lines of the edges of up to eight triangles, from b to c, c to a and a to b.
+struct PatchEdges {
   struct Edge {
     PatchVectors vector;
     PatchVectors moment;  ///< cross product of its start and end
   };
-  PatchVectors a;
-  PatchVectors normal;  ///< (b − a) × (c − a)
   Edge bc;
   Edge ca;
   Edge ab;
+};
+
+/// Up to eight triangles, prepared for intersection. No ray hits triangles without area.
+struct TrianglePatch {
+  PatchVectors a;
+  PatchVectors normal;  ///< (b − a) × (c − a)
+  PatchEdges edges;
 };
 
 /// Returns the triangles in patches of consecutive ones: triangle i is lane i mod 8 of patch i / 8.
 std::vector<PatchCorners> corners_of(const std::vector<Triangle>& triangles);
 
 TrianglePatch prepared_patch(const PatchCorners& corners);
-
-/// Returns the patch at a time from 0 (`from`) to 1 (`to`), moved in straight lines.
-TrianglePatch patch_between(const PatchCorners& from, const PatchCorners& to, float time);
 
 /// Writes, for each triangle of the patch, the distance at which ray `lane` hits it; infinity where
 /// the ray misses it, also if the ray's line crosses the triangle behind the origin. Returns the
@@ -69,6 +70,10 @@ TrianglePatch patch_between(const PatchCorners& from, const PatchCorners& to, fl
 /// at least one of them.
 float intersect_patch(const TrianglePatch& patch, const RayLanes& rays, unsigned lane,
                       float* distances);
+
+/// As above, for a patch at a time from 0 (`from`) to 1 (`to`), moved in straight lines.
+float intersect_moving_patch(const PatchCorners& from, const PatchCorners& to, float time,
+                             const RayLanes& rays, unsigned lane, float* distances);
 
 /// Sets the reach of a ray to −infinity if the ray hits a triangle of the patch at a distance below
 /// its reach. There are `count` rays; those with valid = 0 are skipped. The test is that of

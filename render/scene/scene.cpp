@@ -78,6 +78,18 @@ void require_index(int index, int count, const std::string& where) {
   require(index >= 0 && index < count, where, "out of range");
 }
 
+// Without a branch for each, since there are many.
+bool are_finite(const std::vector<Vec3>& vectors) {
+  float none = 0.0f;  // no number if any of the vectors is not finite
+  for (const Vec3& vector : vectors)
+    none += 0.0f * vector.x() + 0.0f * vector.y() + 0.0f * vector.z();
+  return none == 0.0f;
+}
+
+bool are_below(const std::vector<int>& indices, int count) {
+  return std::ranges::all_of(indices, [&](int index) { return index >= 0 && index < count; });
+}
+
 void validate(const Mesh& mesh, const Counts& counts, const std::string& where) {
   const auto vertices = static_cast<int>(mesh.positions.size());
   require(mesh.normals.size() == mesh.positions.size(), where + ".normals", "not one per vertex");
@@ -85,17 +97,20 @@ void validate(const Mesh& mesh, const Counts& counts, const std::string& where) 
           "not one per vertex");
   require(mesh.triangle_parts.empty() || mesh.triangle_parts.size() == mesh.triangles.size(),
           where + ".triangle_parts", "not one per triangle");
-  for (const Vec3& position : mesh.positions)
-    require(position.allFinite(), where + ".positions", "not finite");
-  for (const Vec3& normal : mesh.normals)
-    require(normal.allFinite(), where + ".normals", "not finite");
-  for (const auto& uv : mesh.uv)
-    require(std::abs(uv[0]) < 1e6f && std::abs(uv[1]) < 1e6f, where + ".uv", "not within ±1e6");
-  for (const auto& triangle : mesh.triangles)
-    for (const int vertex : triangle)
-      require(vertex >= 0 && vertex < vertices, where + ".triangles", "a vertex is out of range");
-  for (const int part : mesh.triangle_parts)
-    require_index(part, counts.parts, where + ".triangle_parts");
+  require(are_finite(mesh.positions), where + ".positions", "not finite");
+  require(are_finite(mesh.normals), where + ".normals", "not finite");
+  require(
+      std::ranges::all_of(
+          mesh.uv, [](const auto& uv) { return std::abs(uv[0]) < 1e6f && std::abs(uv[1]) < 1e6f; }),
+      where + ".uv", "not within ±1e6");
+  require(std::ranges::all_of(mesh.triangles,
+                              [&](const auto& triangle) {
+                                return std::ranges::all_of(triangle, [&](int vertex) {
+                                  return vertex >= 0 && vertex < vertices;
+                                });
+                              }),
+          where + ".triangles", "a vertex is out of range");
+  require(are_below(mesh.triangle_parts, counts.parts), where + ".triangle_parts", "out of range");
   require_index(mesh.material, counts.materials, where + ".material");
   require_index(mesh.part, counts.parts, where + ".part");
 }

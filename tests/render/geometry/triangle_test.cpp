@@ -120,6 +120,32 @@ TEST_F(Triangles, AreHitInPatchesAsOneByOne) {
   EXPECT_GT(misses, 5000);
 }
 
+TEST_F(Triangles, AreHitWhereTheyHaveMoved) {
+  int hits = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    std::vector<Triangle> from, to, moved;
+    const float time = uniform(0.0f, 1.0f);
+    for (std::size_t i = 0; i < patch_size; ++i) {
+      from.push_back({place(1.0f), place(1.0f), place(1.0f)});
+      const Vec3 path = place(1.0f);
+      to.push_back({from[i].a + path, from[i].b + path, from[i].c + 2.0f * path});
+      const Triangle &a = from.back(), &b = to.back();
+      moved.push_back(
+          {a.a + time * (b.a - a.a), a.b + time * (b.b - a.b), a.c + time * (b.c - a.c)});
+    }
+    Ray ray{4.0f * place(1.0f), Vec3::Zero()};
+    ray.direction = (place(0.5f) - ray.origin).normalized();
+    float found[patch_size], expected[patch_size];
+    const float nearest =
+        intersect_moving_patch(corners_of(from)[0], corners_of(to)[0], time, ray.lanes(), 0, found);
+    EXPECT_EQ(nearest,
+              intersect_patch(prepared_patch(corners_of(moved)[0]), ray.lanes(), 0, expected));
+    for (std::size_t k = 0; k < patch_size; ++k) EXPECT_EQ(found[k], expected[k]);
+    hits += std::isfinite(nearest) ? 1 : 0;
+  }
+  EXPECT_GT(hits, 300);
+}
+
 TEST_F(Triangles, OccludeRaysThatTheyHitWithinReach) {
   int blocked = 0, out_of_reach = 0, missed = 0;
   for (int trial = 0; trial < 500; ++trial) {
