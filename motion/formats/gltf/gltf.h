@@ -57,7 +57,9 @@ Recording parse_gltf(std::string_view bytes, const std::string& file_name,
 /// and for joints whose offset in any pose differs from that of the skeleton; and a mesh of
 /// octahedra along the bones, skinned so that importers create an armature from the nodes. The bind
 /// pose has no rotations. Keys and vertices are 32-bit floats. Lengths are written unchanged, and
-/// glTF readers interpret them as metres; use `in_metres` beforehand to convert them.
+/// glTF readers interpret them as metres; use `in_metres` beforehand to convert them. Where the
+/// times of the keys do not hold the frame rate, as with one frame, it is stated as
+/// `framesPerSecond` in the extras of the animation.
 ///
 /// The recording has at least one pose. The same recording always produces the same bytes.
 std::string to_glb(const Recording& recording);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -137,6 +138,13 @@ std::vector<float> key_times(const Recording& recording) {
   return times;
 }
 
+/// Whether a reader finds the frame rate in the times of the keys: there are two or more, at ten or
+/// more whole frames per second. Times are 32-bit floats, which other rates would be lost in.
+bool is_rate_in_keys(const Recording& recording) {
+  const double rate = recording.frames_per_second;
+  return recording.frame_count() > 1 && rate >= 10.0 && rate == std::round(rate);
+}
+
 Json animation_of(const Recording& recording, GlbBuffer& binary) {
   const std::vector<float> times = key_times(recording);
   const size_t input = add_bounded(binary, times, GlbElement::scalar);
@@ -154,7 +162,7 @@ Json animation_of(const Recording& recording, GlbBuffer& binary) {
     add_track(j, "rotation", add(binary, rotation_keys(recording, j), GlbElement::vec4));
   }
   Json animation = {{"name", recording.name}, {"channels", channels}, {"samplers", samplers}};
-  if (recording.frames_per_second < 10.0) {
+  if (!is_rate_in_keys(recording)) {
     animation["extras"] = {{gltf_rate_key, recording.frames_per_second}};
   }
   return animation;

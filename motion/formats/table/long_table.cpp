@@ -188,6 +188,8 @@ class LongReader {
     }
     moments_.seconds_per_unit = columns_.time_column.seconds_per_unit;
     moments_.has_unit = columns_.time_column.has_unit;
+    moments_.stated_rate = columns_.rate;
+    moments_.rate_source = "The description beside the file";
     moments_.moment = "frame";
     moments_.place = [this, &first_rows](std::size_t moment) {
       return place_at(rows_.cursor(), all_[first_rows[moment]].start);

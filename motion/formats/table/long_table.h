@@ -23,6 +23,7 @@ struct LongColumns {
   int model = -1;       ///< what found the point (FreeMoCap): points of one name may have several
   int trajectory = -1;  ///< kind of the position (FreeMoCap)
   std::optional<LengthUnit> unit;
+  std::optional<double> rate;         ///< frames per second as described beside the file
   std::vector<std::string> left_out;  ///< names of columns without a meaning
 };
 

@@ -1,6 +1,7 @@
 #include "motion/formats/table/point_table.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "motion/formats/reading/option_names.h"
 #include "motion/formats/reading/points_of_subject.h"
@@ -8,6 +9,7 @@
 #include "motion/formats/table/program_tables.h"
 #include "motion/formats/table/table_cell.h"
 #include "motion/formats/table/wide_table.h"
+#include "motion/formats/writing/point_description.h"
 #include "motion/points/joint_orders.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
@@ -111,10 +113,13 @@ WideColumns columns_without_header(TableRows& rows, const ReadOptions& options) 
   return columns;
 }
 
-PointRecording read_named_rows(TableRows& rows, const ReadOptions& options) {
+PointRecording read_named_rows(TableRows& rows, const ReadOptions& options,
+                               std::optional<double> described) {
   const Names names = names_of(rows);
-  if (const std::optional<LongColumns> columns = long_columns(names))
+  if (std::optional<LongColumns> columns = long_columns(names)) {
+    columns->rate = described;
     return read_long_rows(rows, *columns, options);
+  }
   WideColumns columns = wide_columns(names);
   if (columns.points.empty()) columns = columns_of_rows(rows);
   skip_units(rows, columns);
@@ -132,7 +137,8 @@ PointRecording read_qualisys(TableRows& rows, const ReadOptions& options) {
   return recording;
 }
 
-PointRecording read_rows(TableRows& rows, const ReadOptions& options) {
+PointRecording read_rows(TableRows& rows, const ReadOptions& options,
+                         std::optional<double> described) {
   if (!rows.next())
     rows.refuse(0, "there are no rows", "give a table with a header and a row for each frame");
   const std::string_view first = rows.field(0);
@@ -143,27 +149,33 @@ PointRecording read_rows(TableRows& rows, const ReadOptions& options) {
                                                      [](std::string_view f) { return f.empty(); });
   if (is_nexus) return read_wide_rows(rows, nexus_columns(rows), options);
   if (is_numeric(rows)) return read_wide_rows(rows, columns_without_header(rows, options), options);
-  return read_named_rows(rows, options);
+  return read_named_rows(rows, options, described);
 }
 
-}  // namespace
-
-PointRecording parse_point_table(std::string_view text, const std::string& file_name,
-                                 const ReadOptions& options) {
+/// `described`: frames per second that a description beside the file states.
+PointRecording parse_table(std::string_view text, const std::string& file_name,
+                           const ReadOptions& options, std::optional<double> described) {
   const char separator = text.starts_with("NO_OF_FRAMES") ? '\t' : separator_of(text);
   TableRows rows(text, file_name, separator);
-  PointRecording recording = read_rows(rows, options);
+  PointRecording recording = read_rows(rows, options, described);
   recording.name = recording_name(file_name);
   recording.format = separator == '\t' ? "tsv" : "csv";
   if (recording.subjects.empty()) keep_points_of_subject(recording, options, {file_name});
   return recording;
 }
 
+}  // namespace
+
+PointRecording parse_point_table(std::string_view text, const std::string& file_name,
+                                 const ReadOptions& options) {
+  return parse_table(text, file_name, options, std::nullopt);
+}
+
 PointRecording read_point_table(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string file = path.string();
   const std::string bytes = read_contents(path);
   require_kind(bytes, file, "csv");
-  return parse_point_table(bytes, file, options);
+  return parse_table(bytes, file, options, described_rate(path));
 }
 
 }  // namespace mien::motion

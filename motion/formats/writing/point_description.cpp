@@ -4,6 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "motion/error.h"
+#include "motion/formats/reading/json_text.h"
+#include "motion/text/compressed_file.h"
+#include "motion/text/file_contents.h"
+
 namespace mien::motion {
 
 void add_description(const PointRecording& points, const std::string& axes,
@@ -21,6 +26,21 @@ void add_description(const PointRecording& points, const std::string& axes,
         {{"label", event.label}, {"context", event.context}, {"seconds", event.seconds}});
   if (!events.empty()) json["events"] = std::move(events);
   if (!points.notes.empty()) json["notes"] = points.notes;
+}
+
+std::optional<double> described_rate(const std::filesystem::path& points) {
+  std::filesystem::path path = without_compression(points);
+  path += ".json";
+  if (!read_error(path, max_document_bytes).empty()) return std::nullopt;
+  const std::string file = path.string();
+  const nlohmann::json json =
+      parse_json_text(read_contents(path), file, "a description of positions");
+  if (!json.is_object() || !json.contains("points")) return std::nullopt;
+  const auto rate = json.find("frames_per_second");
+  if (rate == json.end() || !rate->is_number() || !(rate->get<double>() > 0.0))
+    throw Error({file}, "frames_per_second is not a number above 0",
+                "write it as mien does, or remove it and give fps:");
+  return rate->get<double>();
 }
 
 }  // namespace mien::motion

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,5 +15,10 @@ namespace mien::motion {
 /// any subject, events (label, context, seconds) and notes of the reader.
 void add_description(const PointRecording& points, const std::string& axes,
                      nlohmann::ordered_json& json);
+
+/// The frame rate in the description beside a file of points ("walk.csv.json" beside "walk.csv");
+/// none if there is no such file, or if it is another JSON, without `points`. Throws mien::Error
+/// with its path if it is no JSON or `frames_per_second` is not a number above 0.
+std::optional<double> described_rate(const std::filesystem::path& points);
 
 }  // namespace mien::motion

@@ -89,6 +89,24 @@ TEST(WrittenPoints, KeepPositionsGapsNamesAndRates) {
   }
 }
 
+TEST(WrittenMotions, OfOneFrameKeepTheirFrameRate) {
+  const mien::test::TemporaryFolder folder;
+  std::vector<std::string> names = point_file_names();
+  names.insert(names.end(), {"a.bvh", "a.glb", "a.npz"});
+  for (const double rate : {24.0, 59.94, 120.0}) {
+    Clip clip = walk({}, rate, standard_body()).clip;
+    clip.poses.resize(1);
+    for (const std::string& name : names) {
+      write_motion(to_recording(clip), folder.path() / name);
+      const FileContents read = read_file(folder.path() / name);
+      const auto* points = std::get_if<PointRecording>(&read);
+      const double kept =
+          points ? points->frames_per_second : std::get<Recording>(read).frames_per_second;
+      EXPECT_NEAR(kept, rate, 1e-5 * rate) << name;
+    }
+  }
+}
+
 TEST(WrittenPoints, OfASkeletonAreItsJoints) {
   const mien::test::TemporaryFolder folder;
   std::mt19937_64 random(12);
