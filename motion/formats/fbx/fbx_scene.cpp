@@ -25,7 +25,9 @@ std::uint32_t settings_node(const FbxDocument& document) {
   return objects == 0 ? 0 : find_child(document, objects, "GlobalSettings");
 }
 
-FbxSettings parse_settings(const FbxDocument& document) {
+}  // namespace
+
+FbxSettings parse_fbx_settings(const FbxDocument& document) {
   FbxSettings settings;
   const std::uint32_t node = settings_node(document);
   if (node == 0) return settings;
@@ -47,7 +49,8 @@ FbxSettings parse_settings(const FbxDocument& document) {
     for (const auto& [name, integer] : integers) {
       if (property.name == name) *integer = property.integer;
     }
-    if (property.name == "UnitScaleFactor") settings.metres_per_unit = property.numbers[0] / 100.0;
+    if (property.name == "UnitScaleFactor")
+      settings.stated_metres_per_unit = property.numbers[0] / 100.0;
     if (property.name == "CustomFrameRate") custom_rate = property.numbers[0];
   }
   bool seen[3] = {false, false, false};
@@ -56,6 +59,7 @@ FbxSettings parse_settings(const FbxDocument& document) {
     if (!is_new) refuse_fbx(document, node, "the axes of the global settings are not three");
     seen[one.axis] = true;
   }
+  settings.metres_per_unit = settings.stated_metres_per_unit.value_or(settings.metres_per_unit);
   if (!(settings.metres_per_unit > 1e-9 && settings.metres_per_unit < 1e9)) {
     refuse_fbx(document, node, "the unit of length (UnitScaleFactor) is not positive or too large");
   }
@@ -66,13 +70,11 @@ FbxSettings parse_settings(const FbxDocument& document) {
   return settings;
 }
 
-}  // namespace
-
 FbxScene parse_fbx_scene(std::string_view bytes, const std::string& file_name) {
   FbxScene scene;
   scene.document = parse_fbx_document(bytes, file_name);
   scene.objects = parse_fbx_objects(scene.document);
-  scene.settings = parse_settings(scene.document);
+  scene.settings = parse_fbx_settings(scene.document);
   scene.models = parse_fbx_models(scene.document, scene.objects);
   scene.parents_first = parents_first(scene.models);
   scene.takes = fbx_takes(scene.document, scene.objects);

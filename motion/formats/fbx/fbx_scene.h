@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace mien::motion {
 
 /// What the section "GlobalSettings" says.
 struct FbxSettings {
-  double metres_per_unit = 0.01;   ///< UnitScaleFactor / 100
+  /// UnitScaleFactor / 100; none if it is not stated.
+  std::optional<double> stated_metres_per_unit;
+  double metres_per_unit = 0.01;   ///< the stated one, or else a centimetre
   double frames_per_second = 0.0;  ///< of TimeMode; 0 if it is not stated
   /// The file's axes in glTF's: +Y up, +Z to the front, +X to the left of someone who looks there.
   /// A mirror image if the file's axes are left-handed.
@@ -29,6 +32,9 @@ struct FbxScene {
   std::vector<int> parents_first;  ///< all models, parents before children
   std::vector<FbxTake> takes;
 };
+
+/// Throws mien::Error for axes that are not three, and for an unusable unit.
+FbxSettings parse_fbx_settings(const FbxDocument& document);
 
 /// Parses a file's models and lists its takes. `bytes` must outlive the scene. Throws mien::Error.
 FbxScene parse_fbx_scene(std::string_view bytes, const std::string& file_name);

@@ -13,6 +13,7 @@
 #include "motion/error.h"
 #include "motion/fitting/recorded_points.h"
 #include "motion/formats/motion_file.h"
+#include "motion/formats/stated_unit.h"
 #include "motion/measures/features/motion_summary.h"
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
@@ -104,23 +105,45 @@ void show_cycles(const motion::MotionSummary& summary, const Console& console) {
   }
 }
 
-void show_rig(const motion::MotionSummary& summary, bool is_converted, const Console& console) {
+/// "5 cm"
+std::string length_in_words(double metres) {
+  if (metres < 0.01) return fmt::format("{:.6g} mm", metres * 1000.0);
+  if (metres < 1.0) return fmt::format("{:.6g} cm", metres * 100.0);
+  return fmt::format("{:.6g} m", metres);
+}
+
+/// "1 m"; of a file whose motion is converted on reading, "2.54 cm (stated by the file), converted
+/// to m". `metres`: of a unit of the motion as read.
+std::string unit_in_words(double metres, std::optional<double> stated, std::string_view format) {
+  std::string words = stated            ? length_in_words(*stated) + " (stated by the file)"
+                      : format == "fbx" ? "1 cm (usual in FBX; the file states none)"
+                                        : "";
+  if (words.empty()) return fmt::format("{:.6g} m", metres);
+  if (stated == 1.0 && metres == 1.0) return words;
+  words += ", converted to m";
+  // The figure would be far from human height otherwise.
+  if (metres != 1.0) words += fmt::format(" and then scaled by {:.6g}", metres);
+  return words;
+}
+
+void show_rig(const motion::MotionSummary& summary, std::optional<double> stated_unit,
+              std::string_view format, const Console& console) {
   console.out << fmt::format("rig      {}, {} joints", summary.rig, summary.joint_names.size());
   if (summary.is_human)
     console.out << fmt::format(", recognised with {:.0f} % confidence", 100.0 * summary.confidence);
-  console.out << fmt::format("\nunit     {:.6g} m{}, up {}\n", summary.unit_m,
-                             is_converted ? " (converted from the file's own)" : "", summary.up);
+  console.out << fmt::format("\nunit     {}, up {}\n",
+                             unit_in_words(summary.unit_m, stated_unit, format), summary.up);
 }
 
 /// Of a file of points, rig and unit are those of the body that was fitted, and tell nothing.
-void show_text(const motion::MotionSummary& summary, bool is_of_points, std::string_view format,
-               const Console& console) {
+void show_text(const motion::MotionSummary& summary, bool is_of_points,
+               std::optional<double> stated_unit, std::string_view format, const Console& console) {
   console.out << fmt::format("frames   {} at {:.4g} frames per second, {:.2f} s\n", summary.frames,
                              summary.frames_per_second, summary.duration_seconds);
   if (summary.takes.size() > 1)
     console.out << fmt::format("takes    {} (showing {})\n", fmt::join(summary.takes, ", "),
                                summary.take);
-  if (!is_of_points) show_rig(summary, format == "fbx", console);
+  if (!is_of_points) show_rig(summary, stated_unit, format, console);
   if (summary.is_human) {
     console.out << fmt::format("figure   {:.2f} m tall without soles, moving at {:.2f} m/s\n",
                                summary.height_m, summary.speed_m_s);
@@ -282,17 +305,20 @@ int show_info(const InfoOptions& options, const Console& console) {
     recording = std::get<motion::Recording>(std::move(contents));
   }
   const motion::MotionSummary summary = motion::summarise(recording);
+  const std::optional<double> stated_unit = motion::stated_unit(named.file);
   if (options.json) {
     ordered_json json = as_json(summary);
     json["people"] = recording.subjects;
     json["person"] = nullptr;
     if (!recording.subject.empty()) json["person"] = recording.subject;
+    json["stated_unit_m"] = nullptr;
+    if (stated_unit) json["stated_unit_m"] = *stated_unit;
     if (points) json["recorded"] = as_json(*points);
     console.out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   } else {
     show_people(recording, console);
     if (points) show_text(*points, console);
-    show_text(summary, points.has_value(), recording.format, console);
+    show_text(summary, points.has_value(), stated_unit, recording.format, console);
   }
   return exit_done;
 }
