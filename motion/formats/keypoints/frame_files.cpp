@@ -63,7 +63,9 @@ PointRecording read_keypoint_files(const fs::path& path, const ReadOptions& opti
   PointRecording recording =
       recording_of_frames({frames, path.string(), options}, std::move(numbers), bytes);
   recording.name = frame_file_name(first)->recording;
-  if (!is_folder) recording.notes.push_back(note_on_frames(path, files.size()));
+  // The first of several frames stands for all of them, as their folder does.
+  if (!is_folder && (files.size() == 1 || path != files.front()))
+    recording.notes.push_back(note_on_frames(path, files.size()));
   return recording;
 }
 

@@ -102,6 +102,14 @@ TEST_F(KeypointFrames, AreAllReadWhenOneIsNamed) {
       << refusal(folder_.path());
 }
 
+// Manifests and folders of examples keep the first frame for the folder that holds it.
+TEST_F(KeypointFrames, OfAFolderAreNotAnnouncedAsThoseOfAFile) {
+  for (const int number : {3, 4, 5}) write(name_of("walk", number), frame_at(number));
+  EXPECT_EQ(read(folder_.path()).notes, std::vector<std::string>());
+  EXPECT_EQ(read(only_keypoint_recording(folder_.path())).notes, std::vector<std::string>());
+  EXPECT_EQ(read(folder_.path() / name_of("walk", 4)).notes.size(), 1u);
+}
+
 TEST_F(KeypointFrames, InWhichNobodyIsFoundAreGaps) {
   write(name_of("walk", 0), frame_at(-1));
   write(name_of("walk", 1), frame_at(1));
