@@ -9,6 +9,7 @@
 #include "motion/formats/fitted_file.h"
 #include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
+#include "motion/gait/gait_events.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/retarget.h"
 #include "motion/text/compressed_file.h"
@@ -79,6 +80,57 @@ std::vector<std::vector<double>> keytimes_of(const ExampleFolder& folder,
   return keytimes;
 }
 
+/// "2 heel strikes, the first of the left foot"
+std::string heel_strikes_of(const Clip& clip) {
+  std::vector<GaitEvent> strikes = gait_events(clip);
+  std::erase_if(strikes, [](const GaitEvent& event) {
+    return event.kind != GaitEvent::Kind::heel_strike || !event.confirmed;
+  });
+  if (strikes.empty()) return "no heel strike";
+  const std::string foot = strikes.front().left ? "the left foot" : "the right foot";
+  if (strikes.size() == 1) return "1 heel strike, of " + foot;
+  return std::to_string(strikes.size()) + " heel strikes, the first of " + foot;
+}
+
+/// What the keytimes of an example are, and why: "\"sad\" has 7: a gait cycle (frames 12 to 75)".
+std::string keytimes_in_words(const Example& example, const ExampleOrigin& origin, bool are_given) {
+  const std::size_t count = example.keytimes.size();
+  const std::string words = in_quotes(example.name) + " has " + std::to_string(count) + ": ";
+  if (are_given) return words + "those given for it";
+  if (origin.is_cycle)
+    return words + "a gait cycle (frames " + std::to_string(origin.frames.first) + " to " +
+           std::to_string(origin.frames.last) + ")";
+  const std::string why = " (no gait cycle was found: " + heel_strikes_of(example.clip) + ")";
+  if (example.clip.loops) return words + "the start and the end of the loop" + why;
+  const std::string pauses = count == 2   ? "the start"
+                             : count == 3 ? "the start, a pause"
+                                          : "the start, " + std::to_string(count - 2) + " pauses";
+  return words + pauses + " and the end of the whole motion" + why;
+}
+
+/// Those with another number of keytimes than most come first.
+[[noreturn]] void refuse_keytimes(const ExampleFolder& folder, const LoadedExamples& loaded) {
+  const std::vector<Example>& examples = loaded.set.examples;
+  std::map<std::size_t, int> having;
+  for (const Example& example : examples) ++having[example.keytimes.size()];
+  const auto usual =
+      std::ranges::max_element(having, {}, [](const auto& each) { return each.second; });
+  std::vector<std::string> rare;
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < examples.size(); ++i)
+    (examples[i].keytimes.size() == usual->first ? others : rare)
+        .push_back(keytimes_in_words(examples[i], loaded.origins[i], !folder.keytimes.empty()));
+  rare.insert(rare.end(), others.begin(), others.end());
+  throw Error(
+      {folder.path.string()},
+      "examples that are blended need the same number of keytimes, but " + first_of(rare, 6, "; "),
+      folder.keytimes.empty()
+          ? "omit those that differ with exclude, use whole motions with cycle: whole, "
+            "state the corresponding moments of all with keytimes, or do not blend with "
+            "blend: false"
+          : "give every motion the same number of keytimes");
+}
+
 /// One number of keytimes, one body. Throws Error where keytimes differ.
 void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
   std::vector<Example>& examples = loaded.set.examples;
@@ -86,17 +138,11 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
                                      [](const Example& example) { return example.clip.loops; });
   if (!any_loops && folder.keytimes.empty()) even_keytimes(examples);
   const size_t key_count = examples.front().keytimes.size();
-  for (size_t i = 0; i < examples.size(); ++i) {
-    if (examples[i].keytimes.size() != key_count) {
-      throw Error({},
-                  "the example " + in_quotes(examples[i].name) + " has " +
-                      std::to_string(examples[i].keytimes.size()) + " keytimes, but " +
-                      in_quotes(examples[0].name) + " has " + std::to_string(key_count),
-                  "omit it with exclude, use whole motions with cycle: whole, or do not blend with "
-                  "blend: false");
-    }
-    if (i > 0) examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
-  }
+  const bool differs = std::ranges::any_of(
+      examples, [&](const Example& example) { return example.keytimes.size() != key_count; });
+  if (differs) refuse_keytimes(folder, loaded);
+  for (size_t i = 1; i < examples.size(); ++i)
+    examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
 }
 
 constexpr std::string_view separators = "_. ";
@@ -196,7 +242,8 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
       }
     }
     loaded.origins.push_back({files[i], take.frames_per_second, take.frame_count(), prepared.frames,
-                              prepared.cycle && prepared.cycle->is_half, std::move(fits[i])});
+                              prepared.cycle && prepared.cycle->is_half, std::move(fits[i]),
+                              prepared.cycle.has_value()});
     loaded.set.examples.push_back(std::move(prepared.example));
   }
   loaded.set.blendable = folder.blendable;

@@ -1,11 +1,17 @@
 #include "motion/examples/example_set.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/motion_file.h"
+#include "motion/math/rotation.h"
+#include "motion/modify/posture.h"
+#include "motion/procedural/walker.h"
 #include "motion/refusal.h"
+#include "pipeline/temporary_folder.h"
 
 #include "real_data.h"
 
@@ -55,6 +61,37 @@ TEST(ExampleSet, TakesTablesOnlyByTheirEnding) {
   EXPECT_EQ(found("{*.npz,*.csv.gz}"), (Names{"t.npz", "u.csv.gz"}));
   folder.include = "*.bvh*";
   EXPECT_EQ(example_names(folder), (Names{"a", "b"}));
+}
+
+TEST(ExampleSet, OfAWalkAndAGestureSaysWhichKeytimesWereFound) {
+  const test::TemporaryFolder files;
+  Clip walks = repeated(walk({}, 60.0, standard_body()).clip, 4);
+  walks.loops = false;
+  walks.cycle_displacement = Vec3::Zero();
+  Clip wave = walks;
+  for (int f = 0; f < wave.frame_count(); ++f) {
+    Pose& pose = wave.poses[static_cast<std::size_t>(f)];
+    pose = standing_pose(wave.body);
+    pose.rotations[RightShoulder] = exp(Vec3(0, 0, 1.0 + std::sin(0.1 * f)));
+  }
+  write_motion(to_recording(walks), files.path() / "walk.bvh");
+  write_motion(to_recording(walks), files.path() / "march.npz");
+  write_motion(to_recording(wave), files.path() / "wave.bvh");
+  ExampleFolder folder;
+  folder.path = files.path();
+  folder.include = "*.{bvh,npz}";
+  const std::string refusal = test::refusal_of([&] { load_examples(folder); });
+  const auto has = [&](const std::string& words) {
+    return refusal.find(words) != std::string::npos;
+  };
+  // The one that differs comes first.
+  EXPECT_TRUE(has("the same number of keytimes, but \"wave\" has ")) << refusal;
+  EXPECT_TRUE(has("of the whole motion (no gait cycle was found: no heel strike); \"march\" has 7"))
+      << refusal;
+  EXPECT_TRUE(has("\"walk\" has 7: a gait cycle (frames ")) << refusal;
+  EXPECT_TRUE(has("cycle: whole")) << refusal;
+  folder.cycle = CycleChoice::whole;
+  EXPECT_NO_THROW(load_examples(folder));
 }
 
 class RealExamples : public testing::Test {
