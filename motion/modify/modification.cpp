@@ -79,6 +79,17 @@ Clip with_root_of(Clip clip, const Clip& other) {
   return clip;
 }
 
+/// What foot_plants did not find.
+std::string unplanted_feet() {
+  const ContactOptions options;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "none stays within %g cm of its lowest height and slower than %g m/s for %g s, as "
+                "when feet slide or walk on a treadmill",
+                100.0 * options.height_metres, options.on_speed, options.shortest_plant);
+  return text;
+}
+
 void write_remarks(ModificationReport& report, const Modification& asked, bool stays) {
   char text[160];
   if (std::abs(report.tempo / asked.tempo - 1.0) > tempo_tolerance) {
@@ -89,7 +100,7 @@ void write_remarks(ModificationReport& report, const Modification& asked, bool s
     report.remarks.emplace_back(text);
   }
   if (asked.repair != FootRepair::none && report.plants == 0) {
-    report.remarks.push_back("no foot is planted: feet were not locked");
+    report.remarks.push_back("no foot is planted, so feet were not locked: " + unplanted_feet());
   }
   if (report.plants > 0) {
     std::snprintf(
@@ -247,7 +258,8 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   const std::vector<FootPlant> stands = in_time(plants);
   if (at_contacts && contact_frames(contacts, original.frame_count()).empty()) {
     report.remarks.emplace_back(
-        "there are no foot contacts, so acceleration at contacts had no effect");
+        "there are no foot contacts, so acceleration at contacts had no effect: " +
+        (contacts.empty() ? unplanted_feet() : "feet stand throughout"));
   }
   Finished done = finished_with_feet_apart(with_tempo(moved, m.tempo), reference, stands, m,
                                            in_time(contacts), report);

@@ -189,9 +189,22 @@ TEST(Modification, AcceleratesAtContactsNowhereWithoutContacts) {
   const ModifiedClip after = modify(stands, m);
   EXPECT_EQ(largest_distance(after.clip, stands), 0.0);
   EXPECT_TRUE(remarks(after, "there are no foot contacts"));
+  EXPECT_TRUE(remarks(after, "feet stand throughout"));
   m.acceleration_place = AccelerationPlace::pauses;
   const ModifiedClip everywhere = modify(stands, m);
   EXPECT_FALSE(remarks(everywhere, "there are no foot contacts"));
+}
+
+// On a treadmill feet move as fast as the belt: they bear weight, but are not planted.
+TEST(Modification, SaysWhyNoFootIsPlanted) {
+  const std::string reason = "no foot is planted, so feet were not locked: none stays within 4 cm";
+  Clip clip = synthetic_clip(steady_walk(1.2, 3.0));
+  EXPECT_FALSE(remarks(modify(clip, recipe(0.8, 0.0)), "no foot is planted"));
+  for (int f = 0; f < clip.frame_count(); ++f)
+    clip.poses[static_cast<std::size_t>(f)].root_position.z() -= 1.2 * f / clip.frames_per_second;
+  const ModifiedClip after = modify(clip, recipe(0.8, 0.0));
+  EXPECT_EQ(after.report.plants, 0);
+  EXPECT_TRUE(remarks(after, reason + " of its lowest height and slower than 0.15 m/s for 0.1 s"));
 }
 
 TEST(Modification, FindsContactsWhereFeetAreNotRepaired) {
