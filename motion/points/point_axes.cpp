@@ -63,11 +63,12 @@ bool is_at_zero(double lowest) { return lowest > -0.02 && lowest < 0.12; }
 /// its zero in all frames, as on the floor of a laboratory, and the body either lies (its extent is
 /// less than half of that along `body`) or is upside down (`body` is the opposite). Keypoints with
 /// y down have their zero at the camera, so that upside down counts only in files of laboratories.
-/// A body that stands along the usual axis of the format is not taken to lie: its zero may be that
-/// of a force plate.
+/// A body that stands along the usual axis of the format, or the stated one, is not taken to lie:
+/// its zero may be that of a force plate.
 std::optional<UpAxis> up_by_floor(const PointRecording& recording, const UpAxis& body,
                                   double metres_per_unit) {
-  if (body.direction == usual_up(recording)) return std::nullopt;
+  if (body.direction == usual_up(recording) || body.direction == stated_up(recording))
+    return std::nullopt;
   const std::optional<Extent> along = usual_extent(recording, body.direction, metres_per_unit);
   if (!along || is_at_zero(along->low)) return std::nullopt;
   const bool is_of_laboratory = recording.format == "c3d" || recording.format == "trc";
@@ -101,17 +102,27 @@ void guess_metres(double height, PointAxes& axes) {
   axes.note = guess.warning;
 }
 
+void add_note(PointAxes& axes, const std::string& note) {
+  axes.note += (axes.note.empty() ? "" : " ") + note;
+}
+
+void note_if_misstated(const PointRecording& recording, PointAxes& axes) {
+  const std::string& stated = recording.stated_up;
+  if (stated.empty() || stated == axes.up || recording.positions.empty()) return;
+  add_note(axes, "The file states that " + stated + " is up, but its points show that " + axes.up +
+                     " is, which is used.");
+}
+
 /// Says so if nothing in the file tells which way is up.
 void note_if_assumed(const PointRecording& recording, UpwardEvidence evidence, PointAxes& axes) {
   const bool is_usual = evidence == UpwardEvidence::format;
   axes.is_up_assumed = is_usual || evidence == UpwardEvidence::nothing;
   if (!axes.is_up_assumed || recording.positions.empty()) return;
-  if (!axes.note.empty()) axes.note += ' ';
-  axes.note += "Neither the names nor the motion of the points tell which way is up: " + axes.up +
-               " is assumed" +
-               (is_usual ? std::string(", as is usual in ") +
-                               (recording.format == "c3d" ? "C3D" : "TRC") + " files."
-                         : ".");
+  add_note(axes, "Neither the names nor the motion of the points tell which way is up: " + axes.up +
+                     " is assumed" +
+                     (is_usual ? std::string(", as is usual in ") +
+                                     (recording.format == "c3d" ? "C3D" : "TRC") + " files."
+                               : "."));
 }
 
 }  // namespace
@@ -138,6 +149,8 @@ PointAxes point_axes(const PointRecording& recording) {
     up = *by_floor;
   }
   axes.up = up.name;
+  axes.is_up_stated = upward.evidence == UpwardEvidence::statement;
+  note_if_misstated(recording, axes);
   note_if_assumed(recording, upward.evidence, axes);
   axes.turn = up.turn;
   const std::optional<Extent> extent = usual_extent(recording, up.direction, axes.metres_per_unit);
@@ -154,6 +167,7 @@ PointRecording in_metres_y_up(PointRecording recording, const PointAxes& axes) {
   }
   recording.unit = "m";
   recording.metres_per_unit = 1.0;
+  if (!recording.stated_up.empty()) recording.stated_up = "+Y";
   return recording;
 }
 

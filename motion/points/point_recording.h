@@ -31,6 +31,8 @@ struct PointRecording {
   std::vector<std::string> subjects;  ///< people that the file holds; empty if it does not tell
   std::string subject;                ///< the one whose points these are; empty: all
   std::vector<std::string> notes;     ///< choices and omissions of the reader, as sentences
+  std::string
+      stated_up;  ///< axis that is up as the file states it: "+Z", "-Y"; empty if it does not
 
   int point_count() const { return static_cast<int>(points.size()); }
   int frame_count() const {

@@ -242,6 +242,12 @@ double spread(const std::vector<double>& values) {
   return percentile(values, 95.0) - percentile(values, 5.0);
 }
 
+Vec3 stated_up(const PointRecording& recording) {
+  const std::string& axis = recording.stated_up;
+  if (axis.size() != 2 || axis[1] < 'X' || axis[1] > 'Z') return Vec3::Zero();
+  return (axis[0] == '-' ? -1.0 : 1.0) * Vec3::Unit(axis[1] - 'X');
+}
+
 Vec3 usual_up(const PointRecording& recording) {
   if (recording.format == "trc") return Vec3::UnitY();
   if (recording.format == "c3d") return Vec3::UnitZ();
@@ -252,6 +258,8 @@ Upward upward_in(const PointRecording& recording) {
   if (const auto named = upward_by_names(recording)) return {*named, UpwardEvidence::names};
   const Upward by_shape = upward_by_shape(recording);
   if (by_shape.evidence == UpwardEvidence::shape) return by_shape;
+  const Vec3 stated = stated_up(recording);
+  if (stated.norm() > 0.0) return {stated, UpwardEvidence::statement};
   const Vec3 usual = usual_up(recording);
   if (usual.norm() > 0.0) return {usual, UpwardEvidence::format};
   return by_shape;

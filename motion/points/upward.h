@@ -20,10 +20,11 @@ double spread(const std::vector<double>& values);
 
 /// What tells which way is up.
 enum class UpwardEvidence {
-  names,   ///< points of feet, pelvis, trunk and head
-  shape,   ///< of the cloud of points: a body that stands or walks
-  format,  ///< nothing in the file: as is usual in files of its format
-  nothing  ///< the format has no usual axis either: a guess
+  names,      ///< points of feet, pelvis, trunk and head
+  shape,      ///< of the cloud of points: a body that stands or walks
+  statement,  ///< no points, but the file states it
+  format,     ///< nothing in the file: as is usual in files of its format
+  nothing     ///< the format has no usual axis either: a guess
 };
 
 struct Upward {
@@ -31,11 +32,15 @@ struct Upward {
   UpwardEvidence evidence = UpwardEvidence::nothing;
 };
 
+/// The axis that the file states to be up; the zero vector if it does not.
+Vec3 stated_up(const PointRecording& recording);
+
 /// The axis that is usually up in files of a format: +Y in TRC (OpenSim), +Z in C3D (laboratories);
 /// the zero vector for others.
 Vec3 usual_up(const PointRecording& recording);
 
-/// Which way is up in a recording.
+/// Which way is up in a recording: by names, else by shape, else as the file states, for statements
+/// are often wrong; else as is usual in its format.
 ///
 /// Names: from the feet to the head and trunk, else from the feet to the pelvis, else, if it is
 /// nearly along an axis, from the pelvis to the trunk and head or from the knees to the pelvis. A

@@ -1,3 +1,6 @@
+#include <optional>
+#include <string>
+
 #include "motion/error.h"
 #include "motion/formats/c3d/c3d.h"
 #include "motion/formats/c3d/c3d_columns.h"
@@ -24,6 +27,36 @@ void read_unit(const C3dFile& file, PointRecording& recording) {
                                       ", is not known.");
 }
 
+/// "+Z" of "+Z", "Z" or "z "; nothing of other texts.
+std::optional<std::string> axis_in(const std::string& text) {
+  const std::size_t sign = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+  if (text.size() != sign + 1) return std::nullopt;
+  const char letter = static_cast<char>(text[sign] & ~0x20);
+  if (letter < 'X' || letter > 'Z') return std::nullopt;
+  return std::string(text.starts_with('-') ? "-" : "+") + letter;
+}
+
+/// The axis that is up on the screens of laboratories, Y_SCREEN, unless it is also the one that
+/// points right there, X_SCREEN.
+void read_up(const C3dFile& file, PointRecording& recording) {
+  const auto stated = [&](const char* parameter) {
+    const std::vector<std::string> texts = c3d_texts(file, parameter);
+    return texts.empty() ? std::string() : texts.front();
+  };
+  const std::string right = stated("POINT:X_SCREEN");
+  const std::string up = stated("POINT:Y_SCREEN");
+  if (up.empty()) return;
+  const std::optional<std::string> axis = axis_in(up);
+  const std::optional<std::string> other = axis_in(right);
+  if (axis && !(other && other->back() == axis->back())) {
+    recording.stated_up = *axis;
+  } else {
+    recording.notes.push_back("The axes of the screen, POINT:X_SCREEN " + in_quotes(right) +
+                              " and POINT:Y_SCREEN " + in_quotes(up) +
+                              ", are not two axes, so they do not tell which way is up.");
+  }
+}
+
 }  // namespace
 
 PointRecording parse_c3d(std::string_view bytes, const std::string& file_name,
@@ -43,6 +76,7 @@ PointRecording parse_c3d(std::string_view bytes, const std::string& file_name,
   C3dColumns columns = c3d_columns(file, layout.points, options, recording.notes);
   recording.frames_per_second = layout.frames_per_second;
   read_unit(file, recording);
+  read_up(file, recording);
   read_c3d_points(file, layout, columns.columns, recording);
   recording.points = std::move(columns.names);
   recording.subjects = std::move(columns.subjects);

@@ -181,15 +181,18 @@ ordered_json as_json(const PointsSummary& summary) {
   for (const motion::PointEvent& event : summary.points.events)
     events.push_back(
         {{"event", event.label}, {"context", event.context}, {"time_s", rounded(event.seconds)}});
-  ordered_json result = {{"marker_set", summary.set.name},
-                         {"unit", summary.points.unit},
-                         {"unit_m", summary.axes.metres_per_unit},
-                         {"up", summary.axes.up},
-                         {"up_assumed", summary.axes.is_up_assumed},
-                         {"missing_share", rounded(summary.gaps.missing_share)},
-                         {"longest_gap_s", rounded(summary.gaps.longest_gap_seconds)},
-                         {"points", points},
-                         {"events", events}};
+  ordered_json result = {
+      {"marker_set", summary.set.name},
+      {"unit", summary.points.unit},
+      {"unit_m", summary.axes.metres_per_unit},
+      {"up", summary.axes.up},
+      {"up_assumed", summary.axes.is_up_assumed},
+      {"up_stated", summary.points.stated_up.empty() ? ordered_json(nullptr)
+                                                     : ordered_json(summary.points.stated_up)},
+      {"missing_share", rounded(summary.gaps.missing_share)},
+      {"longest_gap_s", rounded(summary.gaps.longest_gap_seconds)},
+      {"points", points},
+      {"events", events}};
   result["fit_residual_mm"] = nullptr;
   if (summary.fit) result["fit_residual_mm"] = rounded(summary.fit->residual_mm);
   return result;
@@ -258,11 +261,14 @@ void show_text(const PointsSummary& summary, const Console& console) {
   console.out << fmt::format("points   {}, {}\n", points.point_count(),
                              summary.set.name.empty() ? "no known marker set" : summary.set.name);
   show_point_names(points.points, console);
-  console.out << fmt::format(
-      "axes     {} up{}, in {}\n", summary.axes.up, summary.axes.is_up_assumed ? " (assumed)" : "",
-      points.unit.empty() ? "a unit that the file does not state, taken to be " +
-                                unit_name(summary.axes.metres_per_unit)
-                          : points.unit);
+  console.out << fmt::format("axes     {} up{}, in {}\n", summary.axes.up,
+                             summary.axes.is_up_assumed  ? " (assumed)"
+                             : summary.axes.is_up_stated ? " (stated by the file)"
+                                                         : "",
+                             points.unit.empty()
+                                 ? "a unit that the file does not state, taken to be " +
+                                       unit_name(summary.axes.metres_per_unit)
+                                 : points.unit);
   if (summary.gaps.missing_share > 0.0)
     console.out << fmt::format("missing  {:.1f} %, longest gap {:.2f} s ({})\n",
                                100.0 * summary.gaps.missing_share, summary.gaps.longest_gap_seconds,

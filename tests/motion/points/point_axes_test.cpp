@@ -163,6 +163,38 @@ TEST(PointAxes, UpIsAssumedToBeThatOfTheFormatIfNothingTellsIt) {
   EXPECT_NE(axes.note.find(axes.up + " is assumed."), std::string::npos);
 }
 
+TEST(PointAxes, UpIsAsTheFileStatesIfNoPointsTellIt) {
+  PointRecording body = rigid_body("c3d");
+  for (const std::string up : {"+X", "-X", "+Y", "-Y", "+Z", "-Z"}) {
+    body.stated_up = up;
+    const PointAxes axes = point_axes(body);
+    EXPECT_EQ(axes.up, up);
+    EXPECT_TRUE(axes.is_up_stated);
+    EXPECT_FALSE(axes.is_up_assumed);
+    EXPECT_EQ(axes.note, "");
+    const PointRecording turned = in_metres_y_up(body);
+    EXPECT_EQ(point_axes(turned).up, "+Y") << up;
+  }
+}
+
+TEST(PointAxes, PointsThatContradictTheFileAreBelievedWithANote) {
+  const PointRecording walked = recorded(truth(), plug_in_gait_markers());
+  for (PointRecording one : {walked, unnamed(walked), one_leg()}) {
+    one.format = "c3d";
+    for (const std::string up : {"+X", "-X", "+Y", "-Y", "+Z", "-Z"}) {
+      PointRecording turned = with_up(one, up);
+      turned.stated_up = "+Y";
+      const PointAxes axes = point_axes(turned);
+      EXPECT_EQ(axes.up, up);
+      EXPECT_FALSE(axes.is_up_stated);
+      const bool is_told =
+          axes.note.find("The file states that +Y is up, but its points show that " + up + " is") !=
+          std::string::npos;
+      EXPECT_EQ(is_told, up != "+Y") << axes.note;
+    }
+  }
+}
+
 TEST(PointAxes, AWalkerWithoutNamesTellsUpAgainstTheFormatAndOneWhoLiesDoesNot) {
   PointRecording walked = with_up(unnamed(recorded(truth(), plug_in_gait_markers())), "-Y");
   walked.format = "c3d";

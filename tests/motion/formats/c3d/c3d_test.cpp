@@ -50,6 +50,26 @@ void expect_refusal(const std::string& bytes, const std::string& words,
   EXPECT_NE(said.find("; "), std::string::npos) << "no remedy: " << said;
 }
 
+TEST(C3d, StatesTheAxisThatIsUpOnTheScreen) {
+  const auto screen = [](const std::string& right, const std::string& up) {
+    WrittenC3d file = small_file();
+    file.more = (right.empty() ? "" : file.texts(1, "X_SCREEN", {right})) +
+                (up.empty() ? "" : file.texts(1, "Y_SCREEN", {up}));
+    return parse_c3d(file.bytes(), "walk.c3d");
+  };
+  EXPECT_EQ(screen("", "").stated_up, "");
+  EXPECT_EQ(screen("+X", "").stated_up, "");
+  EXPECT_EQ(screen("+X", "+Z").stated_up, "+Z");
+  EXPECT_EQ(screen("-Y", "-x").stated_up, "-X");
+  EXPECT_EQ(screen("", "Y").stated_up, "+Y");
+  EXPECT_TRUE(screen("+X", "+Z").notes.empty());
+  for (const char* wrong : {"+X", "up", "+", "++Z", "+A", "\xff"}) {
+    const PointRecording recording = screen("-X", wrong);
+    EXPECT_EQ(recording.stated_up, "") << wrong;
+    EXPECT_TRUE(has_note(recording.notes, "do not tell which way is up")) << wrong;
+  }
+}
+
 TEST(C3d, IsReadFromEveryProcessorAsFloatsAndAsIntegers) {
   for (const int processor : {84, 85, 86}) {
     for (const bool floats : {true, false}) {
