@@ -1,6 +1,7 @@
 #include "motion/rig/body_mapping.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -179,6 +180,27 @@ void check_frames(const Recording& recording) {
               "give a recording of at least one frame");
 }
 
+/// Whether a rig is the canonical body: as mien writes it, with its limbs at rest in their
+/// directions and the toes straight ahead. Another rig of these names has other directions.
+bool is_canonical(const Skeleton& rig, const UpAxis& up) {
+  const double least_cosine = std::cos(3 * radians_per_degree);
+  if (!is_body(rig) || up.axis != Vec3::UnitY()) return false;
+  return std::ranges::all_of(
+      std::array{LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle, LeftShoulder,
+                 LeftElbow, RightShoulder, RightElbow},
+      [&](BodyJoint joint) {
+        Vec3 bone = rig.joints[static_cast<size_t>(joint) + 1].offset;
+        if (joint == LeftAnkle || joint == RightAnkle) bone.y() = 0.0;
+        return bone.norm() > 0.0 && bone.normalized().dot(rest_direction(joint)) > least_cosine;
+      });
+}
+
+ZeroPose zero_pose_of(const Recording& recording, const UpAxis& up) {
+  // The body that was fitted to points.
+  if (recording.markers || is_canonical(recording.skeleton, up)) return ZeroPose::own;
+  return recording.format == "smpl" ? ZeroPose::defined : ZeroPose::checked;
+}
+
 void set_scale(BodyMapping& mapping, const Recording& recording) {
   if (recording.markers) return;
   const UnitGuess unit = guess_unit(standing_height(mapping.body), recording.format);
@@ -284,8 +306,7 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   }
   const bool is_nameless = mapping.rig == rig_by_topology;
   if (is_nameless && goes_on_all_fours(motions.front())) throw on_all_fours(first);
-  const Calibration calibration = calibrate(
-      motions, first.format == "smpl" || first.markers ? ZeroPose::defined : ZeroPose::checked);
+  const Calibration calibration = calibrate(motions, zero_pose_of(first, up));
   mapping.calibration = calibration.to_body;
   mapping.body = calibration.body;
   set_scale(mapping, first);

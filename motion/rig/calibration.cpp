@@ -28,6 +28,13 @@ std::array<Quat, body_joint_count> rest_checked(const std::array<Quat, body_join
 }  // namespace
 
 Calibration calibrate(std::span<const RigMotion> motions, ZeroPose zero_pose) {
+  if (zero_pose == ZeroPose::own) {
+    Calibration calibration;
+    calibration.to_body.fill(Quat::Identity());
+    calibration.from_rest_pose = true;
+    calibration.body = proportions(motions, calibration.to_body);
+    return calibration;
+  }
   const MeasuredCalibration measured = measured_calibration(motions);
   const auto rest = rest_calibration(motions.front());
   Calibration calibration;

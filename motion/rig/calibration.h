@@ -20,6 +20,7 @@ struct Calibration {
 enum class ZeroPose {
   checked,  ///< a plausible figure, unless the motion contradicts it
   defined,  ///< the format defines it, as SMPL its T-pose: only the feet are checked
+  own,      ///< the rig is the canonical body: nothing is measured, all constants are the identity
 };
 
 /// Finds the constants from recordings of one rig, all with the same `joints`.
@@ -31,9 +32,10 @@ enum class ZeroPose {
 /// from that of the elbow (mean over frames with more than 15° of flexion), for the trunk from the
 /// lines through hips and shoulders, for neck, head, clavicles and hands from their mean
 /// orientation relative to chest and forearm, for feet from standing flat. A zero pose that the
-/// format defines is measured for the feet only. If the rig aligns its limbs with axes of their
-/// joint frames, a measured reference near such an axis is replaced by that axis, so that all
-/// recordings of the rig agree.
+/// format defines is measured for the feet only, and that of the canonical body not at all: what
+/// was calibrated once stays as it is when it is written and read again. If the rig aligns its
+/// limbs with axes of their joint frames, a measured reference near such an axis is replaced by
+/// that axis, so that all recordings of the rig agree.
 Calibration calibrate(std::span<const RigMotion> motions, ZeroPose zero_pose = ZeroPose::checked);
 
 }  // namespace mien::motion
