@@ -1,7 +1,6 @@
 #include "motion/rig/body_mapping.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -185,14 +184,14 @@ void check_frames(const Recording& recording) {
 bool is_canonical(const Skeleton& rig, const UpAxis& up) {
   const double least_cosine = std::cos(3 * radians_per_degree);
   if (!is_body(rig) || up.axis != Vec3::UnitY()) return false;
-  return std::ranges::all_of(
-      std::array{LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle, LeftShoulder,
-                 LeftElbow, RightShoulder, RightElbow},
-      [&](BodyJoint joint) {
-        Vec3 bone = rig.joints[static_cast<size_t>(joint) + 1].offset;
-        if (joint == LeftAnkle || joint == RightAnkle) bone.y() = 0.0;
-        return bone.norm() > 0.0 && bone.normalized().dot(rest_direction(joint)) > least_cosine;
-      });
+  for (const BodyJoint joint : {LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle,
+                                LeftShoulder, LeftElbow, RightShoulder, RightElbow}) {
+    Vec3 bone = rig.joints[static_cast<size_t>(joint) + 1].offset;
+    if (joint == LeftAnkle || joint == RightAnkle) bone.y() = 0.0;
+    if (!(bone.norm() > 0.0)) return false;
+    if (bone.normalized().dot(rest_direction(joint)) < least_cosine) return false;
+  }
+  return true;
 }
 
 ZeroPose zero_pose_of(const Recording& recording, const UpAxis& up) {
