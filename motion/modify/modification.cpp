@@ -11,6 +11,7 @@
 #include "motion/math/rotation.h"
 #include "motion/modify/feet_apart.h"
 #include "motion/modify/foot_repair.h"
+#include "motion/modify/held_hands.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/soft_limits.h"
@@ -106,6 +107,12 @@ void write_remarks(ModificationReport& report, const Modification& asked, bool s
     std::snprintf(
         text, sizeof text, "foot sliding of up to %.1f mm in %d contacts was reduced to %.1f mm",
         1000.0 * report.drift_before_repair, report.plants, 1000.0 * report.drift_after_repair);
+    report.remarks.emplace_back(text);
+  }
+  if (report.hand_correction > 0.001) {
+    std::snprintf(text, sizeof text,
+                  "hands hit where they did before: %d hits were moved back by up to %.0f mm",
+                  report.hits, 1000.0 * report.hand_correction);
     report.remarks.emplace_back(text);
   }
   if (std::abs(report.travel_ratio - 1.0) > 0.01) {
@@ -248,22 +255,34 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
           : std::vector<FootPlant>{};
   const std::vector<FootPlant> plants =
       m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;
+  const std::vector<HandHit> hits =
+      m.repair == FootRepair::plants || at_contacts ? hand_hits(original) : std::vector<HandHit>{};
   const Clip moved =
-      with_variation(grid_motion(original, contacts, m), m.variation, m.limbs, m.seed);
+      with_variation(grid_motion(original, contacts, m, hits), m.variation, m.limbs, m.seed);
 
   const Clip reference = with_tempo(original, m.tempo);
   const auto in_time = [&](const std::vector<FootPlant>& stretches) {
     return with_tempo(stretches, original.frame_count(), reference.frame_count(), clip.loops);
   };
   const std::vector<FootPlant> stands = in_time(plants);
-  if (at_contacts && contact_frames(contacts, original.frame_count()).empty()) {
+  if (at_contacts && hits.empty() && contact_frames(contacts, original.frame_count()).empty()) {
     report.remarks.emplace_back(
-        "there are no foot contacts, so acceleration at contacts had no effect: " +
+        "there are no hits of hands and no foot contacts, so acceleration at contacts had no "
+        "effect: " +
         (contacts.empty() ? unplanted_feet() : "feet stand throughout"));
   }
   Finished done = finished_with_feet_apart(with_tempo(moved, m.tempo), reference, stands, m,
                                            in_time(contacts), report);
   report.largest_limit_excess = done.largest_limit_excess;
+  report.hits = static_cast<int>(hits.size());
+  if (m.repair == FootRepair::plants && !hits.empty()) {
+    HeldHands held = with_held_hands(
+        done.repaired, reference,
+        with_tempo(hits, original.frame_count(), reference.frame_count(), clip.loops),
+        travels(original));
+    done.repaired = std::move(held.clip);
+    report.hand_correction = held.largest_correction;
+  }
   Clip& repaired = done.repaired;
 
   if (reference.frame_count() > 1)

@@ -31,7 +31,8 @@ struct PathGains {
 /// Where acceleration applies.
 enum class AccelerationPlace {
   pauses,    ///< at all slow moments of the limb
-  contacts,  ///< only at slow moments within 0.2 s of a foot landing
+  contacts,  ///< hands that hit something: at their hits; other limbs: only at slow moments within
+             ///< 0.2 s of a foot landing
 };
 
 /// The limbs that are retimed, each independently. Arms include the clavicles, feet the whole leg;
@@ -77,7 +78,9 @@ struct ModificationReport {
   int plants = 0;      ///< number of foot plants, detected on the original
   double drift_before_repair = 0.0;  ///< metres: largest drift of a planted foot (planted_drift)
   double drift_after_repair = 0.0;   ///< metres
-  double travel_ratio = 1.0;  ///< distance travelled relative to the original; 1 without travel
+  int hits = 0;  ///< number of hits of hands (hand_hits.h), detected on the original
+  double hand_correction = 0.0;  ///< metres: largest distance by which a hit was moved back
+  double travel_ratio = 1.0;     ///< distance travelled relative to the original; 1 without travel
   double largest_limit_excess = 0.0;  ///< radians: largest correction of a joint by its soft limit
   std::vector<std::string> remarks;   ///< sentences
 };
@@ -100,7 +103,8 @@ void check(const Modification& modification);
 
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
-/// then variation, tempo, posture, joint limits and foot repair. Hips are adducted less than
+/// then variation, tempo, posture, joint limits and foot repair; with foot repair by plants, hands
+/// that hit something still do so at the same places (held_hands.h). Hips are adducted less than
 /// requested if steps would otherwise become narrower than a foot and than in the original
 /// (feet_apart.h). Bone lengths never change; a loop stays a loop. Clips may walk in place. Throws
 /// mien::Error as `check` does, and for a skeleton other than the canonical body.

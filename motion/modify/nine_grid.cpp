@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/modify/hip_shift.h"
+#include "motion/modify/hit_timing.h"
 #include "motion/modify/joint_curve.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/path_length.h"
@@ -22,16 +23,37 @@ Clip with_paths(const Clip& original, const std::vector<FootPlant>& plants, cons
   return with_hip_shift(filtered, original, plants, smooth ? HipPath::smooth : HipPath::exact);
 }
 
+/// Full acceleration of hands that hit something at their hits, of other limbs where feet land.
+Clip with_acceleration_at_contacts(const Clip& clip, const std::vector<FootPlant>& plants,
+                                   const std::vector<HandHit>& hits, const Limbs& limbs) {
+  const auto hits_of = [&](bool left) {
+    std::vector<HandHit> own = hits;
+    std::erase_if(own, [&](const HandHit& hit) { return hit.left != left; });
+    return own;
+  };
+  Limbs others = limbs;
+  if (!hits_of(true).empty()) others.left_hand = false;
+  if (!hits_of(false).empty()) others.right_hand = false;
+  Clip result = with_acceleration_near(clip, others, contact_frames(plants, clip.frame_count()));
+  for (const Limb limb : {Limb::left_hand, Limb::right_hand}) {
+    const std::vector<HandHit> own = hits_of(limb == Limb::left_hand);
+    if (own.empty() || !has(limbs, limb)) continue;
+    retime(result, limb,
+           hard_hit_sources(own, clip.frame_count(), clip.frames_per_second, clip.loops));
+  }
+  return result;
+}
+
 /// The motion with constant speed (`acceleration` < 0) or full acceleration (> 0).
-Clip with_timing(const Clip& clip, const std::vector<FootPlant>& plants, double acceleration,
+Clip with_timing(const Clip& clip, const std::vector<FootPlant>& plants,
+                 const std::vector<HandHit>& hits, double acceleration,
                  const Modification& modification) {
   if (acceleration == 0.0) return clip;
   if (acceleration < 0.0) return with_constant_speed(clip, modification.limbs);
   if (modification.acceleration_place == AccelerationPlace::pauses) {
     return with_acceleration(clip, modification.limbs);
   }
-  const std::vector<int> moments = contact_frames(plants, clip.frame_count());
-  return with_acceleration_near(clip, modification.limbs, moments);
+  return with_acceleration_at_contacts(clip, plants, hits, modification.limbs);
 }
 
 struct Weighted {
@@ -102,15 +124,16 @@ Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights) {
 }
 
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
-                 const Modification& modification) {
+                 const Modification& modification, const std::vector<HandHit>& hits) {
   const Weighted paths = path_neighbours(original, plants, modification);
   const double timed = std::abs(modification.acceleration);
   Weighted corners;
   for (size_t p = 0; p < paths.clips.size(); ++p) {
     if (timed < 1.0) corners.add(paths.clips[p], paths.weights[p] * (1.0 - timed));
     if (timed > 0.0) {
-      corners.add(with_timing(paths.clips[p], plants, modification.acceleration, modification),
-                  paths.weights[p] * timed);
+      corners.add(
+          with_timing(paths.clips[p], plants, hits, modification.acceleration, modification),
+          paths.weights[p] * timed);
     }
   }
   return mean_clip(corners.clips, corners.weights);

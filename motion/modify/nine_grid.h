@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/gait/foot_plant.h"
+#include "motion/gestures/hand_hits.h"
 #include "motion/modify/modification.h"
 
 namespace mien::motion {
@@ -24,8 +25,9 @@ Clip mean_clip(std::span<const Clip> clips, std::span<const double> weights);
 /// must not walk in place. Path lengths are changed first, then the hips are shifted, then the
 /// limbs are retimed, and the (at most four) neighbouring grid motions are interpolated bilinearly.
 /// If the modification has explicit path gains, they are used instead of interpolating path
-/// lengths.
+/// lengths. If acceleration applies at contacts, hands with `hits` are retimed around these
+/// (hit_timing.h).
 Clip grid_motion(const Clip& original, const std::vector<FootPlant>& plants,
-                 const Modification& modification);
+                 const Modification& modification, const std::vector<HandHit>& hits = {});
 
 }  // namespace mien::motion
