@@ -21,7 +21,7 @@ namespace mien::motion {
 ///   of 0, which by the format means "interpolated or computed"). No measured point stays at the
 ///   origin to the last digit; a note tells how many were unmarked.
 /// - The axis that is up is stated by POINT:Y_SCREEN, unless it is also that of POINT:X_SCREEN;
-/// point_axes.h decides whether it is believed.
+///   point_axes.h decides whether it counts.
 /// - Frames, frame rate: c3d_layout.h. Names, people and what is left out: c3d_columns.h.
 /// - Events are those of the EVENT group, or else of the header. Their times, which count from the
 ///   trial's frame 1, are converted to seconds since the first frame of the file; if more of them

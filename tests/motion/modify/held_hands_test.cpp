@@ -69,7 +69,7 @@ TEST(HeldHands, ChangeNothingElse) {
     for (int joint = 0; joint < body_joint_count; ++joint) {
       const bool may_move =
           (joint == RightShoulder || joint == RightElbow || joint == RightWrist) &&
-          static_cast<int>(f) > first - 12;
+          static_cast<int>(f) > first - 14;
       if (may_move) continue;
       EXPECT_EQ(held.clip.poses[f].rotations[static_cast<std::size_t>(joint)].coeffs(),
                 lower.poses[f].rotations[static_cast<std::size_t>(joint)].coeffs());

@@ -188,11 +188,11 @@ TEST(Modification, AcceleratesAtContactsNowhereWithoutContacts) {
   m.repair = FootRepair::none;
   const ModifiedClip after = modify(stands, m);
   EXPECT_EQ(largest_distance(after.clip, stands), 0.0);
-  EXPECT_TRUE(remarks(after, "there are no foot contacts"));
+  EXPECT_TRUE(remarks(after, "there are no hits of hands and no foot contacts"));
   EXPECT_TRUE(remarks(after, "feet stand throughout"));
   m.acceleration_place = AccelerationPlace::pauses;
   const ModifiedClip everywhere = modify(stands, m);
-  EXPECT_FALSE(remarks(everywhere, "there are no foot contacts"));
+  EXPECT_FALSE(remarks(everywhere, "there are no hits of hands and no foot contacts"));
 }
 
 // On a treadmill feet move as fast as the belt: they bear weight, but are not planted.
@@ -214,7 +214,7 @@ TEST(Modification, FindsContactsWhereFeetAreNotRepaired) {
   const Clip everywhere = modified(clip, m);
   m.acceleration_place = AccelerationPlace::contacts;
   const ModifiedClip near = modify(clip, m);
-  EXPECT_FALSE(remarks(near, "there are no foot contacts"));
+  EXPECT_FALSE(remarks(near, "there are no hits of hands and no foot contacts"));
   EXPECT_GT(largest_distance(near.clip, everywhere), 0.001);
 }
 
