@@ -19,9 +19,8 @@ constexpr double farthest_seconds = 0.6;    // a limb half a second late is stil
 constexpr double least_limb_travel = 0.02;  // m; of what hardly moves the phase means nothing
 constexpr double least_correlation = 0.6;
 constexpr double least_gain = 0.05;  // in correlation, over no shift at all
-// Of a motion with itself: it falls below the first and rises above the second within a period.
+// Of a motion with itself: it falls below this and rises above `least_correlation` within a period.
 constexpr double turned_correlation = 0.5;
-constexpr double repeated_correlation = 0.8;
 
 /// Correlation of what `way` does in the window with what `model` did `shift` frames earlier, over
 /// the frames that both have; empty when they are too few or hardly move.
@@ -67,7 +66,7 @@ int farthest_shift(const std::vector<Vec3>& model, const FrameWindow& window, do
   for (int lag = 1; lag <= 2 * farthest; ++lag) {
     const auto value = correlation(model, model, window, lag);
     if (!value) break;
-    if (has_turned && last > repeated_correlation && *value < last) return (lag - 1) / 2;
+    if (has_turned && last > least_correlation && *value < last) return (lag - 1) / 2;
     has_turned = has_turned || *value < turned_correlation;
     last = *value;
   }

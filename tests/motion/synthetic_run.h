@@ -5,7 +5,8 @@
 namespace mien::test {
 
 /// A runner whose events are known: each foot stands for `stance` of the stride (less than half),
-/// so that between the steps the body flies; it is highest in the middle of each flight.
+/// so that between the steps the body flies; it is highest in the middle of each flight. As in
+/// people, a foot takes some hundredths of a second to become as fast as the swing is.
 struct SyntheticRun {
   double stride = 1.5;   ///< metres
   double stance = 0.32;  ///< share of the stride
@@ -19,6 +20,7 @@ inline Clip synthetic_run(const SyntheticRun& run, const std::vector<double>& di
   SyntheticWalk feet;
   feet.stride = run.stride;
   feet.stance = run.stance;
+  feet.quickening = 0.1;
   feet.frames_per_second = run.frames_per_second;
   feet.distance = distance;
   Clip clip = synthetic_clip(feet);
