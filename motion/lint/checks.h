@@ -43,16 +43,15 @@ bool is_calculable(const Clip& clip);
 Findings find_jumps(const LintMotion& motion, const LintOptions& options);
 
 /// Finds jumps of hands, feet and head relative to the pelvis: changes of position that deviate
-/// from the mean of the preceding and following changes, and more than any other change within 0.3
-/// s. Jumps of a joint that carries the limb (`joint_jumps`) are not found again. Lengths are for a
-/// stature of 1.75 m.
+/// from the preceding change, from the following one and from their mean, and much more than any
+/// other change within 0.3 s and the roughness of the path (path_noise.h) do. Jumps of a joint that
+/// carries the limb (`joint_jumps`) are not found again unless they are less severe. Lengths are
+/// for a stature of 1.75 m.
 Findings find_limb_jumps(const LintMotion& motion, const LintOptions& options,
                          const Findings& joint_jumps);
 
-/// Finds random trembling of hands, feet and head relative to the pelvis. Measured is the standard
-/// deviation of the noise on each coordinate in windows of 0.75 s, by third differences, where
-/// consecutive differences oppose each other. None below 20 frames per second. Lengths are for a
-/// stature of 1.75 m.
+/// Finds random trembling of hands, feet and head relative to the pelvis (path_noise.h). None below
+/// 20 frames per second. Lengths are for a stature of 1.75 m.
 Findings find_jitter(const LintMotion& motion, const LintOptions& options,
                      const LintMotion* original);
 
@@ -166,8 +165,9 @@ Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options
                             const LintMotion& original);
 
 /// Finds hands, feet and head that hardly move any more: measured is the share of the original's
-/// movement (root mean square distance from the mean place relative to chest or pelvis, in windows
-/// of 2 s; of a loop, one lap) that is gone, where the original moves by at least 4 cm.
+/// movement (root mean square distance from the mean place, relative to the shoulder girdle, chest
+/// or pelvis that carries the limb, in windows of 2 s; of a loop, one lap) that is gone, where the
+/// original moves by at least 4 cm.
 Findings find_still_limbs(const LintMotion& motion, const LintOptions& options,
                           const LintMotion& original);
 

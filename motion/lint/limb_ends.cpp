@@ -6,10 +6,13 @@
 namespace mien::motion {
 
 std::vector<Vec3> limb_path(const LintMotion& motion, int end) {
-  const int base = end == LeftAnkle || end == RightAnkle ? Pelvis : Chest;
+  return path_in_frame_of(motion, end == LeftAnkle || end == RightAnkle ? Pelvis : Chest, end);
+}
+
+std::vector<Vec3> path_in_frame_of(const LintMotion& motion, int base, int joint) {
   std::vector<Vec3> path;
   for (const JointTransforms& world : motion.world) {
-    const Vec3 from_base = world.positions[end] - world.positions[base];
+    const Vec3 from_base = world.positions[joint] - world.positions[base];
     path.push_back(world.rotations[base].conjugate() * from_base);
   }
   return path;

@@ -15,6 +15,9 @@ inline constexpr std::array<int, 5> limb_ends = {Head, LeftWrist, RightWrist, Le
 /// in its frame, metres: what the limb itself does.
 std::vector<Vec3> limb_path(const LintMotion& motion, int end);
 
+/// Path of a joint relative to another one, in the other one's frame, metres.
+std::vector<Vec3> path_in_frame_of(const LintMotion& motion, int base, int joint);
+
 /// Path of a limb's end relative to the pelvis, in the directions of the world, metres: what the
 /// limb and the trunk do.
 std::vector<Vec3> path_from_pelvis(const LintMotion& motion, int end);

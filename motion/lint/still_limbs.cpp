@@ -10,6 +10,22 @@ namespace {
 
 constexpr double least_movement = 0.04;  // m of a stature of 1.75 m; what moves less may be still
 
+/// The joint that carries a limb. The hand of an arm that no longer swings is still moved by the
+/// shoulder girdle, in captures by up to 9 cm.
+int carrier_of(int end) {
+  switch (end) {
+    case LeftWrist:
+      return LeftClavicle;
+    case RightWrist:
+      return RightClavicle;
+    case LeftAnkle:
+    case RightAnkle:
+      return Pelvis;
+    default:
+      return Chest;
+  }
+}
+
 /// Root mean square distance from the mean place, metres.
 double movement(const std::vector<Vec3>& path, const FrameWindow& window) {
   const int count = window.last - window.first + 1;
@@ -24,8 +40,10 @@ double movement(const std::vector<Vec3>& path, const FrameWindow& window) {
 /// hardly moves.
 std::vector<double> lost_movement(const LintMotion& motion, const LintMotion& original, int end) {
   std::vector<double> lost(motion.world.size(), 0.0);
-  const std::vector<Vec3> path = limb_path(motion, end);
-  const std::vector<Vec3> before = at_moments_of(motion, original, limb_path(original, end));
+  const int carrier = carrier_of(end);
+  const std::vector<Vec3> path = path_in_frame_of(motion, carrier, end);
+  const std::vector<Vec3> before =
+      at_moments_of(motion, original, path_in_frame_of(original, carrier, end));
   for (const FrameWindow& window : limb_windows(motion)) {
     const double usual = movement(before, window);
     if (usual < least_movement * original.scale) continue;

@@ -122,14 +122,14 @@ TEST(SeededFaults, NoiseThatTheOriginalHasIsNotFound) {
   EXPECT_FALSE(find(lint(clip, {}, &clip), "jitter"));
 }
 
-/// How far the wrist moves relative to the chest from its mean place, root mean square, metres.
+/// How far the arm moves the left wrist from its mean place, root mean square, metres.
 double swing(const Clip& clip) {
   const LintMotion motion = lint_motion(clip);
   std::vector<Vec3> places;
   Vec3 mean = Vec3::Zero();
   for (const JointTransforms& world : motion.world) {
-    places.push_back(world.rotations[Chest].conjugate() *
-                     (world.positions[LeftWrist] - world.positions[Chest]));
+    places.push_back(world.rotations[LeftClavicle].conjugate() *
+                     (world.positions[LeftWrist] - world.positions[LeftClavicle]));
     mean += places.back() / static_cast<double>(motion.world.size());
   }
   double squares = 0.0;
@@ -206,21 +206,55 @@ TEST(SeededFaults, AWholePeriodIsNoShift) {
   for (const Finding& finding : compared) EXPECT_NE(finding.unit, "s") << finding.sentence;
 }
 
+/// A capture with a fault of its own, which was looked at.
+struct FaultyCapture {
+  std::string file;
+  std::string check;
+  std::string joint;
+  int first;
+  int last;
+};
+
+const std::vector<FaultyCapture> faulty_captures = {
+    // The landing foot leaps sideways by 3.6 cm to the place where it then stands quite still.
+    {"dataset-1_walk_active_001", "jump", "RightAnkle", 121, 121},
+    // A swinging foot stops for a frame (0.01 s) and then moves by 10 cm.
+    {"k_limp_angry_k_walk_angry_000_100", "jump", "LeftAnkle", 285, 285},
+    // A foot turns to and fro by 17° in each of six frames.
+    {"k_limp_angry_k_walk_angry_100_000", "joint-speed", "LeftAnkle", 139, 144},
+    // A head that is still leaps to the side and back by 27 to 31°, twice.
+    {"k_limp_slow_k_walk_slow_100_000", "jump", "Head", 17, 36},
+    // A foot that swings back nearly stops for two frames and then moves by 10 cm.
+    {"k_run_fast_k_run_slow_000_100", "jump", "RightAnkle", 172, 172},
+    // Both swinging feet stop for single frames; then one moves by 8 cm and the other turns by 42°.
+    {"k_run_slow_k_limp_fast_k_walk_regular_000_000_100", "jump", "RightAnkle", 193, 193},
+    // A foot leaps to and fro by 49°.
+    {"k_walk_fast_k_walk_angry_k_walk_regular_100_000_000", "jump", "RightAnkle", 293, 296},
+    // Frames 157, 160 and 162 repeat the frame before; the body then moves twice as far.
+    {"t_walk_fast_t_walk_angry_t_walk_regular_100_000_000", "jump", "RightAnkle", 161, 161},
+};
+
+const FaultyCapture* known_fault(const fs::path& file) {
+  const auto found = std::ranges::find(faulty_captures, file.stem().string(), &FaultyCapture::file);
+  return found == faulty_captures.end() ? nullptr : &*found;
+}
+
 class SeededCaptures : public testing::Test {
  protected:
   void SetUp() override {
     const auto folder = real_data();
     if (!folder) GTEST_SKIP() << "no motion capture here: set MIEN_DATA to the folder that has it";
     for (const char* set : {"bandai-namco-1", "aalto-two-actors"}) {
-      std::vector<fs::path> files;
       for (const auto& entry : fs::directory_iterator(*folder / "mocap" / set))
         if (entry.path().extension() == ".bvh") files.push_back(entry.path());
-      std::ranges::sort(files);
-      for (const fs::path& file : files) captures.push_back(to_body(read_motion(file)));
     }
+    std::ranges::sort(files);
+    for (const fs::path& file : files)
+      if (!known_fault(file)) captures.push_back(to_body(read_motion(file)));
   }
 
-  std::vector<Clip> captures;
+  std::vector<fs::path> files;  ///< of all captures
+  std::vector<Clip> captures;   ///< without the faulty ones
   std::mt19937_64 random{11};
 };
 
@@ -288,19 +322,30 @@ TEST_F(SeededCaptures, NinetyFiveOfAHundredBackwardElbowsAreFound) {
   EXPECT_GE(found, 0.95 * seeded) << found << " of " << seeded;
 }
 
-TEST_F(SeededCaptures, OneInTwentyCapturesAtMostHasErrorsOfTheseKinds) {
-  int faulty = 0;
+TEST_F(SeededCaptures, OneInTwentyAtMostHasErrors) {
+  std::string faulty;
+  int count = 0;
   for (const Clip& capture : captures) {
-    const LintMotion motion = lint_motion(capture);
-    Findings findings = find_limb_jumps(motion, {}, {});
-    const auto add = [&](const Findings& more) {
-      findings.insert(findings.end(), more.begin(), more.end());
-    };
-    add(find_jitter(motion, {}, nullptr));
-    add(find_backward_elbows(motion, {}, nullptr));
-    faulty += has_errors(findings) ? 1 : 0;
+    const Findings findings = lint(capture);
+    if (!has_errors(findings)) continue;
+    ++count;
+    faulty += capture.name + "\n" + all_of(findings) + "\n";
   }
-  EXPECT_LE(faulty, 0.05 * static_cast<double>(captures.size())) << faulty;
+  EXPECT_LE(count, 0.05 * static_cast<double>(captures.size())) << faulty;
+}
+
+TEST_F(SeededCaptures, ThatAreFaultyHaveTheErrorsThatPeopleSee) {
+  size_t found = 0;
+  for (const fs::path& file : files) {
+    const FaultyCapture* fault = known_fault(file);
+    if (!fault) continue;
+    const Findings findings = lint(to_body(read_motion(file)));
+    EXPECT_TRUE(find_error(findings, fault->check, fault->joint, fault->first, fault->last))
+        << file << "\n"
+        << all_of(findings);
+    ++found;
+  }
+  EXPECT_EQ(found, faulty_captures.size());
 }
 
 }  // namespace
