@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "motion/gait/contact.h"
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
+#include "motion/gait/gait_plants.h"
 #include "motion/math/rotation.h"
+#include "motion/modify/foot_reach.h"
 #include "motion/modify/foot_repair.h"
 #include "motion/modify/hip_shift.h"
 #include "motion/skeleton/sole_height.h"
@@ -17,6 +17,9 @@
 namespace mien::motion {
 
 namespace {
+
+constexpr double near_floor = 0.01;     // metres above the lowest part of a sole
+constexpr double hardly_more = 0.0005;  // metres from frame to frame
 
 /// The frames of the restyled motion whose source frames lie in a plant of the original. Frames of
 /// a loop may run on into the next cycle.
@@ -57,20 +60,43 @@ Soles soles_of(const Clip& clip, bool left) {
   return {sole_paths(clip, left), clip.loops, clip.cycle_displacement};
 }
 
-/// How far the foot slips between two frames, horizontally: the way of the part on which it rests
-/// in both. A foot that rolls from heel to ball to toes does not slip.
-Vec3 slip(const SolePoints& from, const SolePoints& to) {
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 way = Vec3::Zero();
-  const double floor_from = lowest_height(from);
-  const double floor_to = lowest_height(to);
-  for (const auto part : {&SolePoints::heel, &SolePoints::ball, &SolePoints::tip}) {
-    const double height = std::max((from.*part).y() - floor_from, (to.*part).y() - floor_to);
-    if (height >= least) continue;
-    least = height;
-    way = horizontal(to.*part - from.*part);
+constexpr std::array<Vec3 SolePoints::*, 3> sole_parts = {&SolePoints::heel, &SolePoints::ball,
+                                                          &SolePoints::tip};
+
+/// How high a part of the sole is above the lowest one in two frames, at most.
+double lift(const SolePoints& from, const SolePoints& to, Vec3 SolePoints::*part) {
+  return std::max((from.*part).y() - lowest_height(from), (to.*part).y() - lowest_height(to));
+}
+
+Vec3 way_of(const SolePoints& from, const SolePoints& to, Vec3 SolePoints::*part) {
+  return horizontal(to.*part - from.*part);
+}
+
+/// The part about which a planted foot rolls from one frame to the next: of those near the floor
+/// the one that moves least in the original, or the ball if it hardly moves more; the lowest part
+/// if none is near the floor in both frames.
+Vec3 SolePoints::*pivot(const SolePoints& from, const SolePoints& to, const SolePoints& known_from,
+                        const SolePoints& known_to) {
+  Vec3 SolePoints::*best = nullptr;
+  double least = 0.0;
+  for (const auto part : sole_parts) {
+    if (lift(from, to, part) > near_floor) continue;
+    const double way =
+        way_of(known_from, known_to, part).norm() + (part == &SolePoints::ball ? 0.0 : hardly_more);
+    if (best != nullptr && way >= least) continue;
+    best = part;
+    least = way;
   }
-  return way;
+  if (best != nullptr) return best;
+  return *std::min_element(sole_parts.begin(), sole_parts.end(),
+                           [&](auto a, auto b) { return lift(from, to, a) < lift(from, to, b); });
+}
+
+/// How far a foot slips between two frames, horizontally: the way of that part near the floor (or
+/// of the lowest) which moves least. A foot that rolls from heel to ball to toes, or turns on its
+/// ball, does not slip.
+Vec3 slip(const SolePoints& from, const SolePoints& to) {
+  return way_of(from, to, pivot(from, to, from, to));
 }
 
 /// Where the planted foot goes: it keeps its rotation, rolls without slipping near where it is on
@@ -81,7 +107,9 @@ FootTrajectory rolled(const FootPath& path, const Soles& soles, const Soles& kno
   std::vector<Vec3> moved = {Vec3::Zero()};
   Vec3 mean = Vec3::Zero();
   for (int f = plant.first; f < plant.last; ++f) {
-    moved.push_back(moved.back() - slip(soles.at(f), soles.at(f + 1)));
+    const SolePoints from = soles.at(f);
+    const SolePoints to = soles.at(f + 1);
+    moved.push_back(moved.back() - way_of(from, to, pivot(from, to, known.at(f), known.at(f + 1))));
     mean += moved.back();
   }
   mean /= static_cast<double>(moved.size());
@@ -104,7 +132,7 @@ std::vector<double> even_source_frames(const Clip& original, int frames) {
 }
 
 TimedOriginal timed_original(const Clip& original, const std::vector<double>& source_frames) {
-  const std::vector<FootPlant> plants = foot_plants(original);
+  const std::vector<FootPlant> plants = gait_plants(original);
   const Clip still = with_still_feet(original, plants);
   TimedOriginal timed{still, {}};
   timed.still.poses.clear();
@@ -132,7 +160,8 @@ Clip with_contacts_carried(const Clip& restyled, const TimedOriginal& original) 
   }
   FootLockOptions options;
   options.keep_velocity = true;
-  const Clip placed = with_feet_placed(shifted, stretches, options);
+  const Clip in_reach = with_feet_in_reach(shifted, stretches);
+  const Clip placed = with_feet_placed(in_reach, stretches, options);
   return with_toe_clearance(placed, original.still, original.plants);
 }
 

@@ -23,16 +23,16 @@ TimedOriginal timed_original(const Clip& original, const std::vector<double>& so
 std::vector<double> even_source_frames(const Clip& original, int frames);
 
 /// The restyled motion with the contacts of its original. Planted feet keep the rotations that the
-/// style gave them, stand as high as in the original, and roll from heel to toes without slipping,
-/// near where the restyled legs put them; the root follows them (hip_shift.h), and the legs reach
-/// them by inverse kinematics (foot_placement.h). Swinging feet clear the floor as in the original
-/// (foot_repair.h). Both motions have the same number of frames and frame rate, and neither walks
-/// in place.
+/// style gave them, stand as high as in the original, and roll without slipping over those parts
+/// (heel, ball or toes) over which they roll in the original, near where the restyled legs put
+/// them; the root follows them (hip_shift.h, foot_reach.h), and the legs reach them by inverse
+/// kinematics (foot_placement.h). Swinging feet clear the floor as in the original (foot_repair.h).
+/// Both motions have the same number of frames and frame rate, and neither walks in place.
 Clip with_contacts_carried(const Clip& restyled, const TimedOriginal& original);
 
 /// How far feet slide while planted, metres, maximum over all contacts of the original: the
-/// horizontal way of the part of the sole on which the foot rests, wherever that is. A foot that
-/// rolls from heel to toes does not slide.
+/// horizontal way, from frame to frame, of that part of the sole within 1 cm of the floor which
+/// moves least. A foot that rolls from heel to toes, or turns on its ball, does not slide.
 double contact_slide(const Clip& restyled, const TimedOriginal& original);
 
 /// The largest difference, metres, in the height of planted soles from those of the original.
