@@ -6,6 +6,7 @@
 #include <set>
 
 #include "motion/error.h"
+#include "motion/examples/flight_examples.h"
 #include "motion/formats/fitted_file.h"
 #include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
@@ -143,6 +144,12 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
   if (differs) refuse_keytimes(folder, loaded);
   for (size_t i = 1; i < examples.size(); ++i)
     examples[i].clip = retarget(examples[i].clip, examples.front().clip.body);
+  if (!folder.keytimes.empty() || use_flight_keytimes(examples)) return;
+  for (const std::string& name : running_examples(examples)) {
+    loaded.warnings.push_back(name +
+                              ": It runs, and other examples of the set do not; in blends of "
+                              "both, flight phases do not correspond and feet may slide.");
+  }
 }
 
 constexpr std::string_view separators = "_. ";

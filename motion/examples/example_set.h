@@ -60,10 +60,11 @@ struct LoadedExamples {
 /// Loads a set of examples: reads the files, maps all files of one rig together, and cuts and
 /// straightens each motion (make_example.h). If the set is blendable, all motions are retargeted to
 /// the body of the first one (retarget.h). If, in addition, no example loops, detected keytimes are
-/// reduced to the same number (`even_keytimes`). Throws Error naming the file if one is unreadable
-/// or is not human; in a blendable set, if numbers of keytimes differ, with the number and the
-/// reason for each example; if a name occurs twice; and if manual keytimes are missing for a file
-/// or refer to one that does not exist.
+/// reduced to the same number (`even_keytimes`); if all examples run, detected keytimes are those
+/// of running (`use_flight_keytimes`). Throws Error naming the file if one is unreadable or is not
+/// human; in a blendable set, if numbers of keytimes differ, with the number and the reason for
+/// each example; if a name occurs twice; and if manual keytimes are missing for a file or refer to
+/// one that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 /// Short labels for a group of files: the prefix and suffix common to all stems (file names without

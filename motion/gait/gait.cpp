@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/gait/loop.h"
+#include "motion/gait/steadiest_step.h"
 #include "motion/gait/stride.h"
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
@@ -15,6 +16,7 @@ namespace {
 
 // Below it steps are no walk: climbing, dancing, standing.
 constexpr double least_steadiness = 0.1;
+constexpr double steady = 0.3;       // below it a walk visibly starts, stops or turns
 constexpr double least_step = 0.08;  // m at 1.75 m
 // Seam cost: a tenth of that between the extremes of a stride.
 constexpr double alike_enough = 0.5;
@@ -105,7 +107,7 @@ void rate(const Clip& clip, std::vector<GaitCycle>& cycles) {
   for (GaitCycle& cycle : cycles) {
     const double cost = unsteadiness(clip, cycle, typical_period, typical_speed);
     cycle.steadiness = 1.0 / (1.0 + 0.1 * cost);
-    if (cycle.steadiness < 0.3) {
+    if (cycle.steadiness < steady) {
       cycle.warnings.push_back(
           "The walk is not steady over this cycle: it starts, stops or turns.");
     }
@@ -158,6 +160,17 @@ std::optional<GaitCycle> cycle_by_similarity(const Clip& clip) {
   return cycle;
 }
 
+/// The steadiest step of a run and its mirror image; empty if the take does not run or no step of
+/// it is steady enough.
+std::optional<GaitCycle> running_step(const Clip& clip) {
+  auto step = steadiest_step(clip);
+  if (!step || step->steadiness < least_steadiness) return std::nullopt;
+  step->warnings.push_back(
+      "The take contains no steady cycle of the run; its steadiest step and the mirror image of "
+      "that step are used instead.");
+  return step;
+}
+
 /// The last step of a take: one foot's strike to the other's next.
 std::optional<GaitCycle> half_cycle(const Clip& clip) {
   std::vector<GaitEvent> strikes;
@@ -204,12 +217,17 @@ std::optional<GaitCycle> steadiest_cycle(const Clip& clip) {
   const std::vector<GaitCycle> cycles = gait_cycles(clip);
   if (cycles.empty() && clip.loops) return std::nullopt;
   if (cycles.empty()) {
-    const auto alike = cycle_by_similarity(clip);
-    return alike ? alike : half_cycle(clip);
+    if (auto alike = cycle_by_similarity(clip)) return alike;
+    const auto step = running_step(clip);
+    return step ? step : half_cycle(clip);
   }
   const GaitCycle& best = *std::max_element(
       cycles.begin(), cycles.end(),
       [](const GaitCycle& a, const GaitCycle& b) { return a.steadiness < b.steadiness; });
+  if (best.steadiness < steady) {
+    const auto step = running_step(clip);
+    if (step && step->steadiness > best.steadiness) return step;
+  }
   if (best.steadiness < least_steadiness) return std::nullopt;
   return best;
 }

@@ -40,8 +40,9 @@ std::vector<GaitCycle> gait_cycles(const Clip& clip);
 
 /// The steadiest cycle; empty if no cycle is a walk or run (steadiness ≥ 0.1). In a take without
 /// cycles that lasts up to 4 s, the cycle extends between the two most similar poses, 0.5–2 s
-/// apart, if they are similar enough and enclose a left and a right step. In all remaining takes
-/// without cycles, the last step and its mirror image are used (`is_half`); empty if there is none.
+/// apart, if they are similar enough and enclose a left and a right step. Otherwise, one step and
+/// its mirror image are used (`is_half`): of runs the steadiest one (steadiest_step.h), else the
+/// last.
 std::optional<GaitCycle> steadiest_cycle(const Clip& clip);
 
 /// The cycle of a looping clip that contains exactly one gait cycle: `start_frame` is 0,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/gait/contact.h"
+#include "motion/gait/event_contact.h"
 #include "motion/math/filter.h"
 #include "motion/math/peaks.h"
 #include "motion/math/percentile.h"
@@ -14,6 +14,9 @@ namespace mien::motion {
 namespace {
 
 constexpr double shortest_seconds = 0.06;
+constexpr double exchange_overlap = 0.03;  // seconds in which feet that run may both touch
+constexpr double fall_seconds = 0.12;      // before a landing, in which a run is highest
+constexpr double least_rise = 0.015;       // metres; people who run rise by several centimetres
 constexpr double beside_seconds = 0.4;
 constexpr double tellable_seconds = 0.25;  // over which noise hides no fall
 constexpr double least_fall = -4.0;        // m/s²
@@ -58,16 +61,6 @@ constexpr double confirm_seconds = 0.1;
 constexpr double settle_seconds = 0.25;
 constexpr double margin_seconds = 0.15;  // from either end of a clip
 
-/// Contact for telling when feet meet and leave the floor, also in running, where they rest for
-/// less than a tenth of a second and never quite stand still.
-ContactOptions event_contact() {
-  ContactOptions options;
-  options.on_speed = 0.4;
-  options.off_speed = 0.6;
-  options.shortest_plant = 0.05;
-  return options;
-}
-
 std::vector<double> along(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                           const std::vector<Vec3>& directions, double rate) {
   std::vector<double> progress;
@@ -100,9 +93,36 @@ void add_events(std::vector<GaitEvent>& events, std::vector<double> progress, bo
   }
 }
 
+/// Where running feet relieve each other almost at once (slow runs hardly fly): the body is then
+/// high, whereas in walking it is lowest between two single supports. As flights, which may be
+/// empty or, where contacts overlap, end before they begin.
+std::vector<Flight> exchanges(const Clip& clip, const std::vector<FootPlant>& plants) {
+  const double rate = clip.frames_per_second;
+  const auto beside = static_cast<int>(std::lround(beside_seconds * rate));
+  const auto falling = static_cast<int>(std::lround(fall_seconds * rate));
+  std::vector<Flight> found;
+  for (const FootPlant& landing : plants) {
+    for (const FootPlant& take_off : plants) {
+      if (take_off.left == landing.left || take_off.first >= landing.first) continue;
+      if (take_off.last >= landing.last) continue;
+      const double gap = (landing.first - take_off.last - 1) / rate;
+      if (gap <= -exchange_overlap || gap >= shortest_seconds) continue;
+      const double rise = mean_pelvis_height(clip, landing.first - falling, landing.first) -
+                          mean_pelvis_height(clip, landing.first - beside, landing.first + beside);
+      if (rise > least_rise) {
+        found.push_back({take_off.last + 1, landing.first - 1, take_off.left, landing.left});
+      }
+    }
+  }
+  return found;
+}
+
 /// Moves the toe off before and the heel strike after each flight to where contact ends and begins.
+/// A running foot is farthest in front of the pelvis some time before it lands: strikes whose
+/// landing is not seen, as at the end of a take, are moved by the same time.
 void settle_by_flights(std::vector<GaitEvent>& events, const std::vector<Flight>& flights,
                        double rate) {
+  std::vector<double> lags;
   const auto settle = [&](GaitEvent::Kind kind, bool left, double frame) {
     GaitEvent* nearest = nullptr;
     for (GaitEvent& event : events) {
@@ -112,12 +132,18 @@ void settle_by_flights(std::vector<GaitEvent>& events, const std::vector<Flight>
       if (!nearest || distance < std::abs(nearest->frame - frame)) nearest = &event;
     }
     if (!nearest) return;
+    if (kind == GaitEvent::Kind::heel_strike) lags.push_back(frame - nearest->frame);
     nearest->frame = frame;
     nearest->confirmed = true;
   };
   for (const Flight& flight : flights) {
     settle(GaitEvent::Kind::toe_off, flight.takes_off_left, flight.first - 0.5);
     settle(GaitEvent::Kind::heel_strike, flight.lands_left, flight.last + 0.5);
+  }
+  if (lags.empty()) return;
+  const double lag = percentile(lags, 50);
+  for (GaitEvent& event : events) {
+    if (event.kind == GaitEvent::Kind::heel_strike && !event.confirmed) event.frame += lag;
   }
 }
 
@@ -129,7 +155,11 @@ std::vector<GaitEvent> events_of_take(const Clip& clip, const std::vector<FootPl
   add_events(events, progress.right_heel, false, GaitEvent::Kind::heel_strike, plants, rate);
   add_events(events, progress.left_toe, true, GaitEvent::Kind::toe_off, plants, rate);
   add_events(events, progress.right_toe, false, GaitEvent::Kind::toe_off, plants, rate);
-  settle_by_flights(events, flights(clip, plants), rate);
+  std::vector<Flight> flown = flights(clip, plants);
+  const std::vector<Flight> brief = exchanges(clip, plants);
+  flown.insert(flown.end(), brief.begin(), brief.end());
+  settle_by_flights(events, flown, rate);
+  std::erase_if(events, [&](const GaitEvent& event) { return event.frame > clip.frame_count(); });
   std::stable_sort(events.begin(), events.end(),
                    [](const GaitEvent& a, const GaitEvent& b) { return a.frame < b.frame; });
   return events;

@@ -195,11 +195,13 @@ Clip along_z(const Clip& clip, int start, int end) {
 
 }  // namespace
 
-double seam_cost(const Clip& clip, int start, int end) {
-  const Features at_start = features_at(clip, start);
-  const Features at_end = features_at(clip, end);
-  const Features speed_at_start = velocity_at(clip, start);
-  const Features speed_at_end = velocity_at(clip, end);
+double seam_cost(const Clip& clip, int start, int end) { return seam_cost(clip, start, clip, end); }
+
+double seam_cost(const Clip& starting, int start, const Clip& ending, int end) {
+  const Features at_start = features_at(starting, start);
+  const Features at_end = features_at(ending, end);
+  const Features speed_at_start = velocity_at(starting, start);
+  const Features speed_at_end = velocity_at(ending, end);
   double cost = 0.0;
   for (int j = 0; j < body_joint_count; ++j) {
     cost +=

@@ -10,6 +10,9 @@ namespace mien::motion {
 /// clip.
 double seam_cost(const Clip& clip, int start, int end);
 
+/// The mismatch between frame `end` of one clip and frame `start` of another on the same body.
+double seam_cost(const Clip& starting, int start, const Clip& ending, int end);
+
 struct CycleRange {
   int start = 0;
   int end = 0;

@@ -42,6 +42,19 @@ bool is_calculable(const Clip& clip);
 /// seam of a loop is checked by `find_broken_seam`.
 Findings find_jumps(const LintMotion& motion, const LintOptions& options);
 
+/// Finds jumps of hands, feet and head relative to the pelvis: changes of position that deviate
+/// from the preceding change, from the following one and from their mean, and much more than any
+/// other change within 0.3 s and the roughness of the path (path_noise.h) do. Jumps of a joint that
+/// carries the limb (`joint_jumps`) are not found again unless they are less severe. Lengths are
+/// for a stature of 1.75 m.
+Findings find_limb_jumps(const LintMotion& motion, const LintOptions& options,
+                         const Findings& joint_jumps);
+
+/// Finds random trembling of hands, feet and head relative to the pelvis (path_noise.h). None below
+/// 20 frames per second. Lengths are for a stature of 1.75 m.
+Findings find_jitter(const LintMotion& motion, const LintOptions& options,
+                     const LintMotion* original);
+
 /// Whether from frame `step` to the next no joint rotates faster than `frozen_rad_s` and the root
 /// does not move faster than `frozen_m_s`. For a walk in place, the root's velocity is that
 /// before `lint_motion` converted the walk to a travelling one.
@@ -85,6 +98,12 @@ Findings find_broken_seam(const LintMotion& motion, const LintOptions& options);
 /// reaches. Wrists are measured from their mean direction and are not compared with the original.
 Findings find_joints_beyond_limits(const LintMotion& motion, const LintOptions& options,
                                    const LintMotion* original);
+
+/// Finds elbows that are bent backwards for at least 0.25 s: the forearm points away from forward
+/// by more than the shoulder and the elbow together allow, and more than in the original. Not
+/// measured of arms that are nearly straight or raised above horizontal by more than 30°.
+Findings find_backward_elbows(const LintMotion& motion, const LintOptions& options,
+                              const LintMotion* original);
 
 /// Finds parts of the body (collision_shapes.h) that intersect more deeply than in relaxed standing
 /// and than in the original. Depths are scaled to a stature of 1.75 m.
@@ -140,9 +159,17 @@ Findings find_shifted_contacts(const LintMotion& motion, const LintOptions& opti
 /// Finds hands, feet and head that move earlier or later than in the original. The shift is the one
 /// with the highest correlation between the limb's path and its original path, in windows of 2 s
 /// (of a loop: one lap), minus the median shift of the limbs (if at least three correlate well).
-/// Also finds limbs whose correlation is low at every shift.
+/// Also finds limbs whose correlation is low at every shift. Shifts are searched up to 0.6 s, and
+/// up to half a period of a limb that moves periodically.
 Findings find_shifted_limbs(const LintMotion& motion, const LintOptions& options,
                             const LintMotion& original);
+
+/// Finds hands, feet and head that hardly move any more: measured is the share of the original's
+/// movement (root mean square distance from the mean place, relative to the shoulder girdle, chest
+/// or pelvis that carries the limb, in windows of 2 s; of a loop, one lap) that is gone, where the
+/// original moves by at least 4 cm.
+Findings find_still_limbs(const LintMotion& motion, const LintOptions& options,
+                          const LintMotion& original);
 
 /// Finds hands, feet and head that move more jerkily than in the original. Measured is the root
 /// mean square, over 0.5 s, of the third derivative of their paths relative to chest or pelvis,

@@ -6,6 +6,7 @@
 
 #include "motion/biomechanics/lint_motion.h"
 #include "motion/lint/checks.h"
+#include "motion/lint/limb_ends.h"
 #include "motion/lint/threshold_findings.h"
 #include "motion/math/filter.h"
 #include "motion/math/percentile.h"
@@ -14,63 +15,17 @@ namespace mien::motion {
 
 namespace {
 
-/// The ends of the limbs, by whose ways a motion is compared with its original: head, hands, feet.
-constexpr std::array<int, 5> limb_ends = {Head, LeftWrist, RightWrist, LeftAnkle, RightAnkle};
-
-/// Way of a limb's end as seen from the part of the trunk that carries the limb (chest or pelvis),
-/// in its frame, metres: what the limb itself does.
-std::vector<Vec3> limb_path(const LintMotion& motion, int end) {
-  const int base = end == LeftAnkle || end == RightAnkle ? Pelvis : Chest;
-  std::vector<Vec3> way;
-  for (const JointTransforms& world : motion.world) {
-    const Vec3 from_base = world.positions[end] - world.positions[base];
-    way.push_back(world.rotations[base].conjugate() * from_base);
-  }
-  return way;
-}
-
-/// `other`'s way at the moments that correspond to the frames of `motion`, linear between frames.
-std::vector<Vec3> at_moments_of(const LintMotion& motion, const LintMotion& other,
-                                const std::vector<Vec3>& way) {
-  std::vector<Vec3> result;
-  for (int t = 0; t < motion.frame_count(); ++t) {
-    const double frame = corresponding_frame(motion, t, other);
-    const auto whole = static_cast<size_t>(frame);
-    const double part = frame - std::floor(frame);
-    const size_t next = std::min(whole + 1, way.size() - 1);
-    result.push_back((1.0 - part) * way[whole] + part * way[next]);
-  }
-  return result;
-}
-
-constexpr double phase_window_seconds = 2.0;
 constexpr double farthest_seconds = 0.6;    // a limb half a second late is still found
 constexpr double least_limb_travel = 0.02;  // m; of what hardly moves the phase means nothing
 constexpr double least_correlation = 0.6;
 constexpr double least_gain = 0.05;  // in correlation, over no shift at all
-
-struct Window {
-  int first;
-  int last;  // included
-};
-
-std::vector<Window> windows(const LintMotion& motion) {
-  const int whole = motion.frame_count();
-  const int length =
-      std::min(whole, static_cast<int>(std::lround(phase_window_seconds * motion.rate())));
-  const int hop = std::max(1, length / 2);
-  if (motion.was_loop) return {{motion.start, motion.start + motion.frames - 1}};
-  std::vector<Window> result;
-  int first = 0;
-  for (; first + length < whole; first += hop) result.push_back({first, first + length - 1});
-  result.push_back({whole - length, whole - 1});
-  return result;
-}
+// Of a motion with itself: it falls below this and rises above `least_correlation` within a period.
+constexpr double turned_correlation = 0.5;
 
 /// Correlation of what `way` does in the window with what `model` did `shift` frames earlier, over
 /// the frames that both have; empty when they are too few or hardly move.
 std::optional<double> correlation(const std::vector<Vec3>& way, const std::vector<Vec3>& model,
-                                  const Window& window, int shift) {
+                                  const FrameWindow& window, int shift) {
   const int first = std::max(window.first, shift);
   const int last = std::min(window.last, static_cast<int>(model.size()) - 1 + shift);
   const int count = last - first + 1;
@@ -102,13 +57,29 @@ struct ShiftedCorrelation {
   double correlation = 0.0;
 };
 
+/// The largest shift that can be told apart, frames: half a period of a model that repeats itself,
+/// because a limb that is a whole period late moves as in the original.
+int farthest_shift(const std::vector<Vec3>& model, const FrameWindow& window, double rate) {
+  const int farthest = static_cast<int>(std::lround(farthest_seconds * rate));
+  bool has_turned = false;
+  double last = 1.0;
+  for (int lag = 1; lag <= 2 * farthest; ++lag) {
+    const auto value = correlation(model, model, window, lag);
+    if (!value) break;
+    if (has_turned && last > least_correlation && *value < last) return (lag - 1) / 2;
+    has_turned = has_turned || *value < turned_correlation;
+    last = *value;
+  }
+  return farthest;
+}
+
 /// Empty where the limb or its model hardly moves.
 std::optional<ShiftedCorrelation> best_correlation(const std::vector<Vec3>& way,
                                                    const std::vector<Vec3>& model,
-                                                   const Window& window, double rate) {
+                                                   const FrameWindow& window, double rate) {
   const auto unshifted = correlation(way, model, window, 0);
   if (!unshifted) return std::nullopt;
-  const int farthest = static_cast<int>(std::lround(farthest_seconds * rate));
+  const int farthest = farthest_shift(model, window, rate);
   ShiftedCorrelation best = {0, *unshifted};
   // Outward from no shift at all, so that the nearest of equal shifts of a periodic motion wins.
   for (int distance = 1; distance <= farthest; ++distance) {
@@ -136,10 +107,6 @@ struct LimbFaults {
   std::vector<double> dissimilarity;  ///< 1 − correlation
 };
 
-void take_greater(std::vector<double>& values, const Window& window, double value) {
-  for (int t = window.first; t <= window.last; ++t) values[t] = std::max(values[t], value);
-}
-
 std::vector<LimbFaults> limb_faults(const LintMotion& motion, const LintMotion& original) {
   std::vector<std::vector<Vec3>> ways;
   std::vector<std::vector<Vec3>> models;
@@ -150,7 +117,7 @@ std::vector<LimbFaults> limb_faults(const LintMotion& motion, const LintMotion& 
   const double seconds = pace(motion, original) / motion.rate();  // of the original, a frame
   const std::vector<double> none(motion.world.size(), 0.0);
   std::vector<LimbFaults> faults(limb_ends.size(), {none, none});
-  for (const Window& window : windows(motion)) {
+  for (const FrameWindow& window : limb_windows(motion)) {
     std::vector<std::optional<ShiftedCorrelation>> limbs;
     for (size_t i = 0; i < limb_ends.size(); ++i) {
       limbs.push_back(best_correlation(ways[i], models[i], window, motion.rate()));
@@ -158,10 +125,10 @@ std::vector<LimbFaults> limb_faults(const LintMotion& motion, const LintMotion& 
     const double common = common_shift(limbs);
     for (size_t i = 0; i < limb_ends.size(); ++i) {
       if (!limbs[i]) continue;
-      take_greater(faults[i].dissimilarity, window, 1.0 - limbs[i]->correlation);
+      raise_to(faults[i].dissimilarity, window, 1.0 - limbs[i]->correlation);
       if (limbs[i]->correlation < least_correlation) continue;
       const double shift = std::abs(limbs[i]->shift - common) * seconds;
-      take_greater(faults[i].shift, window, shift);
+      raise_to(faults[i].shift, window, shift);
     }
   }
   return faults;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "motion/lint/checks.h"
+#include "motion/lint/steps.h"
 #include "motion/lint/threshold_findings.h"
 #include "motion/math/percentile.h"
 #include "motion/math/rotation.h"
@@ -24,12 +25,6 @@ std::vector<Vec3> turns(const Clip& clip, int joint) {
   return steps;
 }
 
-std::vector<double> lengths(const std::vector<Vec3>& steps) {
-  std::vector<double> result;
-  for (const Vec3& step : steps) result.push_back(step.norm());
-  return result;
-}
-
 std::vector<Vec3> root_steps(const Clip& clip) {
   std::vector<Vec3> steps;
   for (int t = 0; t + 1 < clip.frame_count(); ++t) {
@@ -38,33 +33,10 @@ std::vector<Vec3> root_steps(const Clip& clip) {
   return steps;
 }
 
-/// How far each step lies from the mean of its neighbours; at the ends from the only one.
-std::vector<double> excesses(const std::vector<Vec3>& steps) {
+std::vector<double> lengths(const std::vector<Vec3>& steps) {
   std::vector<double> result;
-  const int count = static_cast<int>(steps.size());
-  for (int i = 0; i < count; ++i) {
-    if (count < 2) return {0.0};
-    const Vec3& before = steps[i > 0 ? i - 1 : i + 1];
-    const Vec3& after = steps[i + 1 < count ? i + 1 : i - 1];
-    const double excess = (steps[i] - 0.5 * (before + after)).norm();
-    // The neighbours of a leap differ from their neighbours too, but are not long themselves.
-    result.push_back(std::min(excess, steps[i].norm()));
-  }
+  for (const Vec3& step : steps) result.push_back(step.norm());
   return result;
-}
-
-/// Whether step i leads over the seam of a loop.
-bool is_seam(const LintMotion& motion, int i) {
-  return motion.was_loop && (i + 1) % motion.frames == 0;
-}
-
-/// A value a step as a value a frame, that to which the step leads.
-std::vector<double> without_seams(const LintMotion& motion, const std::vector<double>& steps) {
-  std::vector<double> values(motion.frame_count(), no_value);
-  for (int i = 0; i < static_cast<int>(steps.size()); ++i) {
-    if (!is_seam(motion, i)) values[i + 1] = steps[i];
-  }
-  return values;
 }
 
 /// The usual excess of a quarter second around: limbs that are shaken fast step far in every frame
@@ -77,18 +49,6 @@ std::vector<double> usual(const std::vector<double>& excess, double rate) {
     const auto first = excess.begin() + std::max(0, i - reach);
     const auto last = excess.begin() + std::min(count, i + reach + 1);
     result.push_back(percentile(std::vector<double>(first, last), 50));
-  }
-  return result;
-}
-
-/// Mean length of the steps before and after each.
-std::vector<double> paces(const std::vector<Vec3>& steps) {
-  const int count = static_cast<int>(steps.size());
-  std::vector<double> result;
-  for (int i = 0; i < count; ++i) {
-    const Vec3& before = steps[std::max(i - 1, 0)];
-    const Vec3& after = steps[std::min(i + 1, count - 1)];
-    result.push_back(0.5 * (before.norm() + after.norm()));
   }
   return result;
 }
@@ -110,13 +70,6 @@ std::vector<double> leaps_of_body(const std::vector<Vec3>& steps) {
   return leaps;
 }
 
-Levels widened(const Levels& levels, double factor) {
-  return {factor * levels.warning, factor * levels.error};
-}
-
-/// Smooth movement, too, turns further from step to step where a second has few of them.
-double sparse(double rate) { return std::max(1.0, 30.0 / rate); }
-
 /// Toes flick when they leave the floor: by nearly 40° in one thirtieth of a second as captured.
 double flick(const LintMotion& motion, int joint) {
   const bool is_toe = is_body(motion.clip.body) && (joint == LeftToe || joint == RightToe);
@@ -137,9 +90,9 @@ std::vector<int> leaping_joints(const LintMotion& motion, const LintOptions& opt
   };
   for (int j = 0; j < motion.clip.body.size(); ++j) {
     add(in_degrees(leaps_of_joint(turns(motion.clip, j), rate)),
-        sparse(rate) * flick(motion, j) * options.jump_degrees.warning);
+        flick(motion, j) * at_rate(options.jump_degrees, rate).warning);
   }
-  add(leaps_of_body(root_steps(motion.clip)), sparse(rate) * options.jump_metres.warning);
+  add(leaps_of_body(root_steps(motion.clip)), at_rate(options.jump_metres, rate).warning);
   return counts;
 }
 
@@ -188,7 +141,9 @@ Findings find_jumps(const LintMotion& motion, const LintOptions& options) {
     };
     const std::vector<double> leaps =
         in_degrees(leaps_of_joint(turns(motion.clip, j), motion.rate()));
-    const Levels levels = widened(options.jump_degrees, sparse(motion.rate()) * flick(motion, j));
+    const Levels steady = at_rate(options.jump_degrees, motion.rate());
+    const double flicked = flick(motion, j);
+    const Levels levels = {flicked * steady.warning, flicked * steady.error};
     add_threshold_findings(findings, motion, {"jump", name, "°", levels, 0, 1, sentence},
                            without_seams(motion, leaps));
   }
@@ -198,7 +153,7 @@ Findings find_jumps(const LintMotion& motion, const LintOptions& options) {
   };
   add_threshold_findings(
       findings, motion,
-      {"jump", "", "m", widened(options.jump_metres, sparse(motion.rate())), 0, 1, sentence},
+      {"jump", "", "m", at_rate(options.jump_metres, motion.rate()), 0, 1, sentence},
       without_seams(motion, leaps_of_body(root_steps(motion.clip))));
   return findings;
 }

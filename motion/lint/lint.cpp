@@ -15,6 +15,7 @@ const std::vector<LintCheck>& lint_checks() {
       {"calibration-pose", "a different pose before the motion, such as a T-pose"},
       {"frozen", "stretches in which nothing moves at all"},
       {"jump", "jumps from one frame to the next"},
+      {"jitter", "hands, feet or head that tremble at random"},
       {"loop-seam", "loops that do not close"},
       {"joint-limit", "joints beyond their range"},
       {"joint-speed", "joints that rotate too fast"},
@@ -29,6 +30,7 @@ const std::vector<LintCheck>& lint_checks() {
       {"floating", "a body floating above the floor"},
       {"contact-timing", "foot contacts at other times than in the original", true},
       {"limb-phase", "limbs earlier or later than in the original", true},
+      {"still-limb", "limbs that hardly move any more", true},
       {"balance", "loss of balance"},
       {"forces", "impossible ground reaction forces"},
       {"joint-torque", "excessive joint torques"},
@@ -55,10 +57,14 @@ void check_motion(const LintMotion& motion, const LintOptions& options, const Li
     findings.insert(findings.end(), more.begin(), more.end());
   };
   add(find_frozen(motion, original));
-  add(find_jumps(motion, options));
+  const Findings jumps = find_jumps(motion, options);
+  add(jumps);
   add(find_broken_seam(motion, options));
   if (!is_body(motion.clip.body)) return;
+  add(find_limb_jumps(motion, options, jumps));
+  add(find_jitter(motion, options, original));
   add(find_joints_beyond_limits(motion, options, original));
+  add(find_backward_elbows(motion, options, original));
   add(find_fast_joints(motion, options, original));
   add(find_self_intersections(motion, options, original));
   const Findings drift = find_drift(motion, options, original);
@@ -72,6 +78,7 @@ void check_motion(const LintMotion& motion, const LintOptions& options, const Li
     add(find_jerks(motion, options, *original));
     add(find_shifted_contacts(motion, options, *original));
     add(find_shifted_limbs(motion, options, *original));
+    add(find_still_limbs(motion, options, *original));
   }
   const BodyOnFloor body = body_on_floor(motion);
   const BodyOnFloor before = original ? body_on_floor(*original) : BodyOnFloor();

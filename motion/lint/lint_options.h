@@ -33,6 +33,13 @@ struct LintOptions {
   Levels arm_speed = {25.0, 40.0};            ///< rad/s, of arms, trunk and head
   Levels jerk_ratio = {5.0, 20.0};  ///< jerk of hands, feet and head relative to the original
 
+  // Hands, feet and head.
+  /// Deviation of a change of position per frame from those before and after it and their mean,
+  /// relative to the pelvis; multiplied by 30 Hz / rate at frame rates below 30 Hz.
+  Levels limb_jump_metres = {0.02, 0.04};
+  Levels jitter_metres = {0.002, 0.003};  ///< standard deviation of noise on each coordinate
+  Levels lost_movement = {0.75, 0.95};    ///< share of the original's movement that is gone
+
   // Feet.
   Levels skate_metres = {0.02, 0.05};        ///< slip of a foot while it bears weight
   Levels penetration_metres = {0.01, 0.03};  ///< depth of the sole below the floor

@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/gait/gait_plants.h"
 
 namespace mien::motion {
 
@@ -16,7 +16,7 @@ constexpr double feature_met = 0.005;
 
 void lock_feet(const SynthesisContext& context, SynthesizedMotion& made) {
   Clip& clip = made.motion.clip;
-  made.plants = foot_plants(clip);
+  made.plants = gait_plants(clip);
   if (context.how.foot_lock) clip = foot_locked(clip, made.plants);
 }
 

@@ -16,7 +16,6 @@ using Matrix = Eigen::MatrixXd;
 /// Directions of a regression weaker than this, against the strongest, are noise.
 constexpr double least_direction = 1e-7;
 /// Ridge of the final regression, as a share of the regressors' mean square.
-constexpr double ridge = 1e-8;
 
 /// B in Y ≈ B·X, of the smallest norm.
 Matrix regression(const Matrix& y, const Matrix& x) {
@@ -111,7 +110,7 @@ Matrix simulated_states(const StateSpace& system, const Matrix& inputs, InitialS
 
 /// C and D that reproduce the outputs best in a simulation, and how far they fail.
 double fit_outputs(StateSpace& system, const Matrix& inputs, const Matrix& outputs,
-                   InitialState initial) {
+                   InitialState initial, double ridge) {
   const Eigen::Index order = system.order();
   Matrix known(inputs.rows(), order + inputs.cols());
   known << simulated_states(system, inputs, initial), inputs;
@@ -132,7 +131,7 @@ Eigen::MatrixXd simulated(const StateSpace& system, const Eigen::MatrixXd& input
 }
 
 StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outputs, int order,
-                      InitialState initial, double largest_pole) {
+                      InitialState initial, double largest_pole, double ridge) {
   const bool periodic = initial == InitialState::periodic;
   const Eigen::Index moments = inputs.rows();
   StateSpace best;
@@ -141,7 +140,7 @@ StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outp
   best.c.resize(outputs.cols(), 0);
   best.d = Matrix::Zero(outputs.cols(), inputs.cols());
   if (outputs.squaredNorm() == 0.0) return best;
-  double least = fit_outputs(best, inputs, outputs, initial);
+  double least = fit_outputs(best, inputs, outputs, initial, ridge);
   // How far past and future reach must suit the richness of the data, which is not known: short
   // cycles allow little. What simulates best is taken.
   const Eigen::Index longest = std::max<Eigen::Index>(2, order + 1);
@@ -154,7 +153,7 @@ StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outp
     const Matrix main = strongest(outputs, std::min(needed, room));
     const Matrix states = states_by_projection(inputs, main, blocks, order, periodic);
     StateSpace system = transitions(states, inputs, blocks, periodic, largest_pole);
-    const double error = fit_outputs(system, inputs, outputs, initial);
+    const double error = fit_outputs(system, inputs, outputs, initial, ridge);
     if (error >= least) continue;
     least = error;
     best = system;

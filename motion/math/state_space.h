@@ -28,8 +28,10 @@ Eigen::MatrixXd simulated(const StateSpace& system, const Eigen::MatrixXd& input
 /// subspace method N4SID (Van Overschee and De Moor 1994): states from the oblique projection of
 /// future outputs, A and B by least squares on these states, poles reduced to a magnitude of at
 /// most `largest_pole`, then C and D by least squares on the simulated states. With
-/// InitialState::periodic the data are one cycle.
+/// InitialState::periodic the data are one cycle. `ridge` is the weight of the squared C and D,
+/// relative to the mean squared state or input: more of it fits the data less closely and
+/// extrapolates less wildly to inputs unlike them.
 StateSpace identified(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& outputs, int order,
-                      InitialState initial, double largest_pole = 0.97);
+                      InitialState initial, double largest_pole = 0.97, double ridge = 1e-8);
 
 }  // namespace mien::motion

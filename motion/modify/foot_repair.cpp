@@ -8,7 +8,7 @@
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/hip_shift.h"
-#include "motion/skeleton/sole.h"
+#include "motion/skeleton/sole_height.h"
 #include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {
@@ -21,10 +21,6 @@ constexpr double onset_seconds = 0.06;  // after and before a plant without full
 constexpr int most_locks = 6;           // of the original
 constexpr double sinks = 0.005;         // metres; a foot that sinks less is on the floor
 constexpr double still = 5e-4;          // metres; a foot that drifts less stands
-
-double lowest(const SolePoints& sole) {
-  return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
-}
 
 /// How far each frame lies from the foot's nearest plant, frames; 0 within.
 std::vector<int> frames_from_plant(const std::vector<FootPlant>& plants, bool left, int count,
@@ -63,8 +59,8 @@ std::vector<double> lifts(const Clip& clip, const Clip& original,
   std::vector<double> needed(now.size(), 0.0);
   for (size_t f = 0; f < now.size(); ++f) {
     if (away[f] == 0) continue;
-    const double wanted = std::clamp(lowest(before[f]), 0.0, clearance);
-    needed[f] = std::max(0.0, wanted - lowest(now[f]));
+    const double wanted = std::clamp(lowest_height(before[f]), 0.0, clearance);
+    needed[f] = std::max(0.0, wanted - lowest_height(now[f]));
   }
   std::vector<double> lift = smooth_lift(needed, clip);
   for (size_t f = 0; f < lift.size(); ++f) {
@@ -79,7 +75,8 @@ std::vector<double> sunk(const Clip& clip, const Clip& original, bool left) {
   const std::vector<SolePoints> before = sole_paths(original, left);
   std::vector<double> needed;
   for (size_t f = 0; f < now.size(); ++f) {
-    needed.push_back(std::max(0.0, std::min(lowest(before[f]), 0.0) - lowest(now[f]) - sinks));
+    needed.push_back(
+        std::max(0.0, std::min(lowest_height(before[f]), 0.0) - lowest_height(now[f]) - sinks));
   }
   return smooth_lift(needed, clip);
 }

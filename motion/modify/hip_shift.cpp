@@ -7,7 +7,7 @@
 #include "motion/gait/foot_lock.h"
 #include "motion/gait/foot_path.h"
 #include "motion/math/filter.h"
-#include "motion/skeleton/sole.h"
+#include "motion/skeleton/sole_height.h"
 
 namespace mien::motion {
 
@@ -80,10 +80,6 @@ std::vector<Vec3> shifts(const Clip& clip, const Clip& original,
   return without_gaps(sums, clip.loops);
 }
 
-double height_of(const SolePoints& sole) {
-  return std::min({sole.heel.y(), sole.ball.y(), sole.tip.y()});
-}
-
 /// How far the root has to rise in each frame for its feet to be as high as in the original; only
 /// the y of each vector is used.
 std::vector<Vec3> rises(const Clip& clip, const Clip& original,
@@ -99,11 +95,11 @@ std::vector<Vec3> rises(const Clip& clip, const Clip& original,
       const auto at = static_cast<size_t>(clip.loops ? f % count : std::min(f, count - 1));
       double rise = 0.0;
       if (path == HipPath::exact) {
-        rise = std::min(height_of(before[0][at]), height_of(before[1][at])) -
-               std::min(height_of(now[0][at]), height_of(now[1][at]));
+        rise = std::min(lowest_height(before[0][at]), lowest_height(before[1][at])) -
+               std::min(lowest_height(now[0][at]), lowest_height(now[1][at]));
       } else {
         const size_t foot = plant.left ? 0 : 1;
-        rise = height_of(before[foot][at]) - height_of(now[foot][at]);
+        rise = lowest_height(before[foot][at]) - lowest_height(now[foot][at]);
       }
       known[at] = known[at].value_or(Vec3::Zero()) + Vec3(0, rise, 0);
       standing[at] += 1.0;

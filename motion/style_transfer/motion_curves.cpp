@@ -177,7 +177,7 @@ Eigen::RowVectorXd curves_at(const MotionCurves& curves, double share) {
 MotionCurves resampled(const MotionCurves& curves, int frames) {
   if (frames == curves.frame_count()) return curves;
   MotionCurves result = curves;
-  result.values.resize(frames, curve_count);
+  result.values.resize(frames, curves.values.cols());
   for (int i = 0; i < frames; ++i) {
     result.values.row(i) = curves_at(curves, way_share(curves.timing.loops, frames, i));
   }

@@ -15,8 +15,9 @@ using namespace mien::motion;
 /// and move evenly in between; the pelvis follows a path on the floor, straight but for one turn.
 /// Phase is distance: at distance k·stride the left foot strikes, at (k + ½)·stride the right.
 struct SyntheticWalk {
-  double stride = 1.2;  ///< metres
-  double stance = 0.6;  ///< share of the stride
+  double stride = 1.2;      ///< metres
+  double stance = 0.6;      ///< share of the stride
+  double quickening = 0.0;  ///< share of a swing, at most ½, in which the foot gains or loses speed
   double frames_per_second = 100.0;
   std::vector<double> distance;                                 ///< walked by each frame, metres
   double turn_start = std::numeric_limits<double>::infinity();  ///< metres
@@ -51,6 +52,15 @@ inline Vec3 place_at(const SyntheticWalk& walk, double distance) {
 
 inline Quat about(const Vec3& axis, double angle) { return Quat(Eigen::AngleAxisd(angle, axis)); }
 
+/// The share of its way that a foot has gone after a share of its swing.
+inline double swung(double share, double quickening) {
+  const double even = 1.0 / (1.0 - quickening);  // speed in the middle
+  const double edge = std::min(share, 1.0 - share);
+  const double gone =
+      edge < quickening ? 0.5 * even * edge * edge / quickening : even * (edge - 0.5 * quickening);
+  return share < 0.5 ? gone : 1.0 - gone;
+}
+
 /// Where a foot's ankle is, and how it is turned.
 struct SyntheticFoot {
   Vec3 ankle;
@@ -71,7 +81,7 @@ inline SyntheticFoot foot_at(const SyntheticWalk& walk, double distance, bool le
   const SyntheticFoot from = plant(step);
   if (within <= walk.stance) return from;
   const SyntheticFoot to = plant(step + 1);
-  const double swing = (within - walk.stance) / (1.0 - walk.stance);
+  const double swing = swung((within - walk.stance) / (1.0 - walk.stance), walk.quickening);
   return {(1 - swing) * from.ankle + swing * to.ankle + Vec3(0, 0.08 * std::sin(pi * swing), 0),
           (1 - swing) * from.yaw + swing * to.yaw};
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/examples/compared_example.h"
+#include "motion/examples/flight_examples.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/commands/line/recording_options.h"
@@ -109,8 +110,9 @@ int compare(const CompareOptions& options, const Console& console) {
       named_recordings({options.target, options.created}, options.recording);
   const motion::Recording target_file = motion::read_motion(named[0].file, named[0].how);
   const motion::Recording created_file = motion::read_motion(named[1].file, named[1].how);
-  const motion::Example target = motion::compared_example(target_file, !options.as_captured);
-  const motion::Example created = motion::compared_example(created_file, !options.as_captured);
+  motion::Example target = motion::compared_example(target_file, !options.as_captured);
+  motion::Example created = motion::compared_example(created_file, !options.as_captured);
+  motion::match_keytimes(target, created);
   const motion::Distance distance = motion::distance(target, created, alignment);
   const Basis basis{basis_of(target),           basis_of(created),
                     chosen_take(target_file),   chosen_take(created_file),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/examples/flight_examples.h"
 #include "motion/examples/settled_feet.h"
 #include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/synthesis/walked_path.h"
@@ -19,6 +20,8 @@ Place place_of_step(const Manifest& manifest, const Stimulus& stimulus, std::siz
   const bool is_map = manifest.places.values.contains(map);
   return place_of(manifest.places, member_path(element_path(is_map ? map : path, step), "turn"));
 }
+
+bool is_file(const Stimulus* stimulus) { return stimulus != nullptr && stimulus->clip; }
 
 }  // namespace
 
@@ -53,7 +56,13 @@ const Synthesis& Motions::of(const std::string& name) {
 }
 
 motion::Distance Motions::distance(const std::string& target, const std::string& created) {
-  return motion::distance(measured(target), measured(created));
+  if (!is_file(stimulus(target)) && !is_file(stimulus(created))) {
+    return motion::distance(measured(target), measured(created));
+  }
+  motion::Example of_target = measured(target);
+  motion::Example of_created = measured(created);
+  motion::match_keytimes(of_target, of_created);
+  return motion::distance(of_target, of_created);
 }
 
 const motion::Example& Motions::measured(const std::string& name) {

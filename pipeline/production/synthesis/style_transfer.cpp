@@ -1,13 +1,12 @@
 #include "pipeline/production/synthesis/style_transfer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "motion/gait/contact.h"
-#include "motion/gait/foot_lock.h"
+#include "motion/modify/contacts_carried.h"
 #include "motion/rig/retarget.h"
 #include "motion/style_transfer/displacement_map.h"
 #include "motion/style_transfer/drives.h"
@@ -16,6 +15,7 @@
 #include "motion/style_transfer/lti_style.h"
 #include "motion/style_transfer/motion_warp.h"
 #include "motion/style_transfer/style_components.h"
+#include "motion/style_transfer/style_timing.h"
 #include "motion/style_transfer/waveshape.h"
 
 namespace mien::pipeline {
@@ -24,7 +24,7 @@ namespace {
 
 /// A cycle with less way than this is walked in place, metres; its feet cannot be locked.
 constexpr double least_travel_m = 0.1;
-constexpr double noticeable_drift_m = 0.005;
+constexpr double noticeable_slide_m = 0.005;
 
 motion::Example example_like(const motion::Example& motion, const std::string& name,
                              const Repertoire& repertoire) {
@@ -75,7 +75,14 @@ motion::Clip by_components(const motion::Clip& clip, const motion::Clip& neutral
   return motion::restyled(clip, parts, options);
 }
 
-motion::Clip by_system(const motion::Clip& clip, const motion::Clip& neutral,
+/// A clip after style transfer.
+struct RestyledClip {
+  motion::Clip clip;
+  /// The frame of the motion that corresponds to each frame; empty: the same share of its time.
+  std::vector<double> source_frames = {};
+};
+
+RestyledClip by_system(const motion::Clip& clip, const motion::Clip& neutral,
                        const motion::Clip& styled, const StyleStep& step, double strength,
                        std::vector<std::string>& notes) {
   const motion::LtiStyleOptions options{
@@ -84,47 +91,73 @@ motion::Clip by_system(const motion::Clip& clip, const motion::Clip& neutral,
   notes.push_back(
       fmt::format("the linear system has {} states and fits the styled motion to {:.1f}° (RMS)",
                   model.system.order(), model.error_radians / motion::radians_per_degree));
-  return motion::translated(clip, model, options);
+  motion::LtiTranslation made = motion::translation(clip, model, options);
+  if (made.deviating_share > 0.0) {
+    notes.push_back(fmt::format(
+        "{:.0f} % of the frames deviate from the neutral motion and take less or none of the style",
+        100.0 * made.deviating_share));
+  }
+  return {std::move(made.clip), std::move(made.source_frames)};
 }
 
-motion::Clip restyled_clip(const motion::Example& motion, const motion::Example& neutral,
+RestyledClip by_fourier_series(const motion::Example& motion, const motion::Example& neutral,
+                               const motion::Example& styled, const StyleStep& step,
+                               double strength) {
+  RestyledClip made{motion::fourier_styled(motion.clip, neutral.clip, styled.clip,
+                                           {.amount = strength, .harmonics = step.harmonics})};
+  const std::vector<double> keytimes =
+      motion::styled_keytimes(motion, neutral, styled, strength, made.clip.duration_seconds());
+  made.source_frames = motion::corresponding_frames(motion, keytimes, made.clip.frame_count());
+  return made;
+}
+
+RestyledClip restyled_clip(const motion::Example& motion, const motion::Example& neutral,
                            const motion::Example& styled, const StyleStep& step, double strength,
                            std::vector<std::string>& notes) {
   const motion::Clip& clip = motion.clip;
   switch (step.method) {
     case StyleMethod::amaya:
-      return motion::emotion_transformed(clip, neutral.clip, styled.clip, {.amount = strength});
+      return {motion::emotion_transformed(clip, neutral.clip, styled.clip, {.amount = strength})};
     case StyleMethod::unuma:
-      return motion::fourier_styled(clip, neutral.clip, styled.clip,
-                                    {.amount = strength, .harmonics = step.harmonics});
+      return by_fourier_series(motion, neutral, styled, step, strength);
     case StyleMethod::hsu:
       return by_system(clip, neutral.clip, styled.clip, step, strength, notes);
     case StyleMethod::witkin:
-      return motion::warped_towards(motion, styled, {.amount = strength});
+      return {motion::warped_towards(motion, styled, {.amount = strength})};
     case StyleMethod::waveshape:
-      return motion::waveshaped(clip, motion::shapes_between(neutral.clip, styled.clip),
-                                {.amount = strength});
+      return {motion::waveshaped(clip, motion::shapes_between(neutral.clip, styled.clip),
+                                 {.amount = strength})};
     case StyleMethod::displacement:
-      return displaced_through(clip, neutral.clip, styled.clip, strength);
+      return {displaced_through(clip, neutral.clip, styled.clip, strength)};
     case StyleMethod::shapiro:
-      return by_components(clip, neutral.clip, styled.clip, step, strength, notes);
+      return {by_components(clip, neutral.clip, styled.clip, step, strength, notes)};
     case StyleMethod::neff:
       break;
   }
-  return motion::driven(clip, motion::drives_towards(neutral.clip, styled.clip),
-                        {.amount = strength});
+  return {motion::driven(clip, motion::drives_towards(neutral.clip, styled.clip),
+                         {.amount = strength})};
 }
 
-/// The plants of a motion at the same share of another's time.
-std::vector<motion::FootPlant> carried_plants(const motion::Clip& from, const motion::Clip& to) {
-  const double ratio = static_cast<double>(to.frame_count()) / from.frame_count();
-  std::vector<motion::FootPlant> plants = motion::foot_plants(from);
-  for (motion::FootPlant& plant : plants) {
-    plant.first = static_cast<int>(std::lround(plant.first * ratio));
-    plant.last = static_cast<int>(std::lround(plant.last * ratio));
-    if (!to.loops) plant.last = std::min(plant.last, to.frame_count() - 1);
+/// The time, seconds, at which a frame of the original occurs.
+double time_of(double frame, const std::vector<double>& source_frames, const motion::Clip& clip) {
+  std::size_t after = 1;
+  while (after + 1 < source_frames.size() && source_frames[after] < frame) ++after;
+  const double from = source_frames[after - 1];
+  const double to = source_frames[after];
+  const double share = to > from ? (frame - from) / (to - from) : 0.0;
+  return std::clamp((static_cast<double>(after) - 1.0 + share) / clip.frames_per_second, 0.0,
+                    clip.duration_seconds());
+}
+
+/// The motion's keytimes after a change of its timing.
+std::vector<double> timed_keytimes(const motion::Example& motion, const motion::Clip& clip,
+                                   const std::vector<double>& source_frames) {
+  std::vector<double> keytimes;
+  for (const double keytime : motion.keytimes) {
+    keytimes.push_back(time_of(keytime * motion.clip.frames_per_second, source_frames, clip));
   }
-  return plants;
+  keytimes.back() = clip.duration_seconds();
+  return keytimes;
 }
 
 }  // namespace
@@ -135,20 +168,23 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
   if (strength == 0.0) return result;
   const motion::Example neutral = example_like(motion, step.neutral, repertoire);
   const motion::Example styled = example_like(motion, step.styled, repertoire);
+  RestyledClip made = restyled_clip(motion, neutral, styled, step, strength, result.notes);
   motion::Clip& clip = result.motion.clip;
-  clip = restyled_clip(motion, neutral, styled, step, strength, result.notes);
+  clip = std::move(made.clip);
+  if (made.source_frames.empty()) {
+    made.source_frames = motion::even_source_frames(motion.clip, clip.frame_count());
+  }
   const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_travel_m;
   if (step.feet && travels) {
-    const std::vector<motion::FootPlant> plants = carried_plants(motion.clip, clip);
-    clip = motion::foot_locked(clip, plants);
-    result.planted_drift_m = motion::planted_drift(clip, plants);
-    if (result.planted_drift_m > noticeable_drift_m) {
+    const motion::TimedOriginal original = motion::timed_original(motion.clip, made.source_frames);
+    clip = motion::with_contacts_carried(clip, original);
+    result.planted_drift_m = motion::contact_slide(clip, original);
+    if (result.planted_drift_m > noticeable_slide_m) {
       result.notes.push_back(fmt::format("planted feet still slide by up to {:.0f} mm",
                                          1000.0 * result.planted_drift_m));
     }
   }
-  const double stretch = clip.duration_seconds() / motion.clip.duration_seconds();
-  for (double& keytime : result.motion.keytimes) keytime *= stretch;
+  result.motion.keytimes = timed_keytimes(motion, clip, made.source_frames);
   return result;
 }
 

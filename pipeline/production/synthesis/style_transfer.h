@@ -10,10 +10,10 @@
 namespace mien::pipeline {
 
 /// A motion after style transfer. If foot locking is enabled and the motion does not walk in place,
-/// its feet are locked at the plants of the original, transferred by normalized time.
+/// its feet have the contacts of the original, in the time of the result (contacts_carried.h).
 struct RestyledMotion {
   motion::Example motion;
-  /// Largest drift of a transferred plant, metres; 0 if the feet are not locked.
+  /// Largest slide of a planted foot, metres; 0 if the feet are not locked.
   double planted_drift_m = 0.0;
   std::vector<std::string> notes;
 };

@@ -39,10 +39,12 @@ class RealLint : public testing::Test {
   fs::path mocap;
 };
 
-TEST_F(RealLint, CapturedWalksHaveNoErrors) {
+// In one walk the landing foot leaps sideways (seeded_faults_test.cpp).
+TEST_F(RealLint, CapturedWalksHaveNoErrorsButALeapOfALandingFoot) {
   const std::vector<fs::path> walks = files("bandai-namco-1", "_walk_");
   EXPECT_EQ(walks.size(), 30U);
   for (const fs::path& file : walks) {
+    if (file.stem() == "dataset-1_walk_active_001") continue;
     const Recording recording = read_motion(file);
     EXPECT_FALSE(has_errors(lint(recording))) << file << "\n" << all_of(lint(recording));
     const Clip clip = to_body(recording);
@@ -64,8 +66,9 @@ TEST_F(RealLint, ACaptureThatBeginsWithItsRestPoseIsJudgedWithoutIt) {
 }
 
 // These takes were not cleaned: ankles and heads leap by 25–49° between frames 0.01 s apart in
-// which they hardly move before and after, and what counts as the ball of the foot is the end of
-// the toes, which dips as the foot rolls off.
+// which they hardly move before and after, feet or the whole body (and so the hands) stop for
+// single frames (seeded_faults_test.cpp), and what counts as the ball of the foot is the end of the
+// toes, which dips as the foot rolls off.
 TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndDippingToes) {
   const std::vector<fs::path> takes = files("aalto-two-actors", "");
   EXPECT_EQ(takes.size(), 24U);
@@ -78,15 +81,16 @@ TEST_F(RealLint, TwoActorsHaveNoErrorsButTornMarkersAndDippingToes) {
       const bool is_torn = finding.check == "jump" || finding.check == "joint-speed";
       const bool dips = finding.check == "penetration" && finding.measured < 0.04;
       EXPECT_TRUE(is_torn || dips) << file << " " << finding.sentence;
-      const bool is_end = finding.joint.ends_with("Ankle") || finding.joint == "Head";
+      const bool is_end = finding.joint.ends_with("Ankle") || finding.joint == "Head" ||
+                          finding.joint.ends_with("Wrist");
       EXPECT_TRUE(!is_torn || is_end) << file << " " << finding.sentence;
     }
   }
-  EXPECT_GE(clean, 15);
+  EXPECT_GE(clean, 24 - 7 - 3);  // seven leap, in three toes dip
 }
 
 // Flights, short plants, and limbs that turn far between two frames; once as captured, once as fast
-// as nobody of them ran.
+// as nobody of them ran. In one take a foot stops for two frames as it swings.
 TEST_F(RealLint, RunsHaveNoErrorsAtAnyRate) {
   std::vector<fs::path> runs = files("aalto-two-actors", "_run_fast");
   runs.push_back(mocap / "cmu" / "02_03.amc");
@@ -96,8 +100,13 @@ TEST_F(RealLint, RunsHaveNoErrorsAtAnyRate) {
       Clip clip = to_body(read_motion(file));
       clip.frames_per_second *= pace;
       for (const Clip& run : {clip, resampled(clip, 30.0)}) {
-        EXPECT_FALSE(has_errors(lint(run))) << file << " at " << run.frames_per_second << "\n"
-                                            << all_of(lint(run));
+        std::vector<Finding> findings = lint(run);
+        std::erase_if(findings, [&](const Finding& finding) {
+          return file.stem() == "k_run_fast_k_run_slow_000_100" && finding.check == "jump" &&
+                 finding.joint == "RightAnkle";
+        });
+        EXPECT_FALSE(has_errors(findings)) << file << " at " << run.frames_per_second << "\n"
+                                           << all_of(findings);
       }
     }
   }

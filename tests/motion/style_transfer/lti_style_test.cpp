@@ -1,7 +1,10 @@
 #include "motion/style_transfer/lti_style.h"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
+#include "motion/random_motion.h"
 #include "motion/refusal.h"
 
 #include "reach.h"
@@ -62,6 +65,55 @@ TEST(LtiStyle, TranslatesAPerformance) {
   const Clip result = translated(neutral, fit_lti_style(neutral, styled));
   EXPECT_EQ(result.frame_count(), styled.frame_count());
   EXPECT_LT(largest_difference(result, styled), 0.1);
+}
+
+double farthest(const Clip& clip) {
+  double farthest = 0.0;
+  for (const Pose& pose : clip.poses) farthest = std::max(farthest, pose.root_position.norm());
+  return farthest;
+}
+
+TEST(LtiStyle, IsBoundedForAnyMotionAndStrength) {
+  std::mt19937_64 random(5);
+  for (const char* style : {"sad", "angry", "happy"}) {
+    const LtiStyleModel model =
+        fit_lti_style(builtin_walk("normal").clip, builtin_walk(style).clip);
+    for (const int frames : {12, 33, 60, 240}) {
+      Clip motion = random_loop(random, frames, 30.0, frames == 33 ? 1.5 : 0.3).clip;
+      for (const bool loops : {true, false}) {
+        motion.loops = loops;
+        for (const double amount : {0.0, 0.7, 1.0, 2.0, 3.0}) {
+          const Clip result = translated(motion, model, {.amount = amount});
+          EXPECT_LE(result.frame_count(), 3.1 * frames) << style << frames << amount;
+          EXPECT_GE(result.frame_count(), std::min(4, frames / 4)) << style << frames << amount;
+          EXPECT_LT(farthest(result), farthest(motion) + 3.0) << style << frames << amount;
+        }
+      }
+    }
+  }
+}
+
+TEST(LtiStyle, LeavesMotionsUnlikeTheNeutralOneAsTheyAre) {
+  const LtiStyleModel model = fit_lti_style(builtin_walk("normal").clip, builtin_walk("sad").clip);
+  std::mt19937_64 random(6);
+  const Clip wild = random_loop(random, 40, 30.0, 2.5).clip;
+  const LtiTranslation result = translation(wild, model);
+  EXPECT_EQ(result.deviating_share, 1.0);
+  EXPECT_EQ(result.clip.frame_count(), wild.frame_count());
+  EXPECT_LT(largest_difference(result.clip, wild), 0.1);
+  EXPECT_EQ(translation(builtin_walk("normal").clip, model).deviating_share, 0.0);
+}
+
+TEST(LtiStyle, SaysWhereEachFrameComesFrom) {
+  const Clip motion = builtin_walk("normal").clip;
+  const LtiTranslation result =
+      translation(motion, fit_lti_style(motion, builtin_walk("sad").clip));
+  ASSERT_EQ(result.source_frames.size(), result.clip.poses.size());
+  EXPECT_NEAR(result.source_frames.front(), 0.0, 1e-9);
+  for (size_t f = 1; f < result.source_frames.size(); ++f) {
+    EXPECT_GT(result.source_frames[f], result.source_frames[f - 1]);
+  }
+  EXPECT_LT(result.source_frames.back(), motion.frame_count());
 }
 
 TEST(LtiStyle, RefusesTooManyStates) {
