@@ -47,6 +47,8 @@ double median_length(const std::vector<Vec3>& vectors) {
   return *middle;
 }
 
+bool is_earlier(const HandHit& a, const HandHit& b) { return a.frame < b.frame; }
+
 /// Looks for hits in the path of one hand. Frames of a loop go on at its beginning.
 class HitFinder {
  public:
@@ -65,8 +67,8 @@ class HitFinder {
     for (int t = loops_ ? 0 : 1; t < (loops_ ? count_ : count_ - 1); ++t) {
       if (!is_fastest(t)) continue;
       const std::optional<HandHit> hit = hit_after(t);
-      if (hit && std::ranges::none_of(
-                     found, [&](const HandHit& other) { return other.frame == hit->frame; })) {
+      const auto is_same = [&](const HandHit& other) { return other.frame == hit->frame; };
+      if (hit && std::none_of(found.begin(), found.end(), is_same)) {
         found.push_back(*hit);
       }
     }
@@ -74,7 +76,7 @@ class HitFinder {
     for (const HandHit& hit : found)
       if (hit.deceleration >= options_.single_deceleration || is_repeated(hit, found))
         confirmed.push_back(hit);
-    std::ranges::sort(confirmed, {}, &HandHit::frame);
+    std::stable_sort(confirmed.begin(), confirmed.end(), is_earlier);
     find_turns(confirmed);
     return confirmed;
   }
@@ -139,7 +141,7 @@ class HitFinder {
   }
 
   bool is_repeated(const HandHit& hit, const std::vector<HandHit>& found) const {
-    return std::ranges::any_of(found, [&](const HandHit& other) {
+    return std::any_of(found.begin(), found.end(), [&](const HandHit& other) {
       return other.frame != hit.frame &&
              (path_.places[at(other.frame)] - path_.places[at(hit.frame)]).norm() <=
                  options_.repeat_metres;
@@ -162,7 +164,7 @@ std::vector<HandHit> hand_hits(const Clip& clip, const HandHitOptions& options) 
   std::vector<HandHit> hits = HitFinder(clip, true, options).hits();
   const std::vector<HandHit> right = HitFinder(clip, false, options).hits();
   hits.insert(hits.end(), right.begin(), right.end());
-  std::ranges::stable_sort(hits, {}, &HandHit::frame);
+  std::stable_sort(hits.begin(), hits.end(), is_earlier);
   return hits;
 }
 

@@ -62,8 +62,8 @@ Clip with_feet_in_reach(const Clip& clip, const std::vector<FootTrajectory>& str
   Clip moved = clip;
   for (int moves = 0; moves < most_moves; ++moves) {
     const std::vector<Vec3> needed = missing(moved, stretches);
-    const bool are_near =
-        std::ranges::all_of(needed, [](const Vec3& move) { return move.norm() < near_enough; });
+    const bool are_near = std::all_of(needed.begin(), needed.end(),
+                                      [](const Vec3& move) { return move.norm() < near_enough; });
     if (are_near) break;
     for (const Vec3& direction :
          {Vec3::UnitX().eval(), Vec3(-Vec3::UnitX()), Vec3::UnitZ().eval(), Vec3(-Vec3::UnitZ())}) {
