@@ -1,6 +1,6 @@
 #include "motion/examples/settled_feet.h"
 
-#include "motion/gait/contact.h"
+#include "motion/gait/gait_plants.h"
 #include "motion/measures/distance/distance.h"
 
 namespace mien::motion {
@@ -16,7 +16,7 @@ Clip with_settled_feet(const Clip& clip, const FootLockOptions& options) {
   Clip settled = clip;
   const std::vector<double> keytimes = {0.0, clip.duration_seconds()};
   for (int lock = 0; lock < most_locks; ++lock) {
-    Clip locked = foot_locked(settled, foot_plants(settled), options);
+    Clip locked = foot_locked(settled, gait_plants(settled), options);
     const double moved = distance({"", settled, keytimes}, {"", locked, keytimes}).mean;
     settled = std::move(locked);
     if (moved < settled_metres) break;
