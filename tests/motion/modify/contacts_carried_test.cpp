@@ -57,23 +57,6 @@ TEST(ContactsCarried, MeasureAFootThatIsDragged) {
   EXPECT_LT(contact_slide(with_contacts_carried(dragged, original), original), 1e-3);
 }
 
-/// Walks whose legs take steps so far that the pelvis would have to be on the floor.
-TEST(ContactsCarried, BringTheRootToWhereTheLegsReach) {
-  for (const Example& walk : walks()) {
-    const TimedOriginal original =
-        timed_original(walk.clip, even_source_frames(walk.clip, walk.clip.frame_count()));
-    Clip striding = original.still;
-    for (Pose& pose : striding.poses) {
-      for (const BodyJoint hip : {LeftHip, RightHip}) {
-        pose.rotations[hip] = exp(3.0 * log(pose.rotations[hip])).normalized();
-      }
-    }
-    const Clip carried = with_contacts_carried(striding, original);
-    EXPECT_LT(contact_slide(carried, original), 0.01) << walk.name;
-    EXPECT_LT(contact_height_error(carried, original), 0.01) << walk.name;
-  }
-}
-
 /// Planted feet after a method, at any strength, of any motion in any style. At moderate strengths,
 /// lint, which looks for contacts by itself, agrees.
 void expect_planted(const Clip& styled, const Clip& motion, const std::vector<double>& source,
