@@ -19,8 +19,8 @@ struct HandHit {
   int until_turn = 0;
 };
 
-/// What counts as a hit. The lengths and times are our own choice, after what hits of hands are:
-/// a speed that ends within a tenth of a second, at the same place each time.
+/// What counts as a hit: a movement that stops within a tenth of a second, repeatedly at the same
+/// place. All values are our own choice.
 struct HandHitOptions {
   double least_speed = 0.4;         ///< m/s
   double longest_stop = 0.1;        ///< seconds, from the highest speed to the hit

@@ -91,6 +91,17 @@ std::string unplanted_feet() {
   return text;
 }
 
+/// The hits that keep their places: those of hands whose timing changes at hits at most. With other
+/// changes of timing, a hand would be at the place of a hit a second time.
+std::vector<HandHit> held_hits(std::vector<HandHit> hits, const Modification& m) {
+  const bool retimes = m.variation > 0.0 || m.acceleration < 0.0 ||
+                       (m.acceleration > 0.0 && m.acceleration_place == AccelerationPlace::pauses);
+  std::erase_if(hits, [&](const HandHit& hit) {
+    return retimes && (hit.left ? m.limbs.left_hand : m.limbs.right_hand);
+  });
+  return hits;
+}
+
 void write_remarks(ModificationReport& report, const Modification& asked, bool stays) {
   char text[160];
   if (std::abs(report.tempo / asked.tempo - 1.0) > tempo_tolerance) {
@@ -278,7 +289,7 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   if (m.repair == FootRepair::plants && !hits.empty()) {
     HeldHands held = with_held_hands(
         done.repaired, reference,
-        with_tempo(hits, original.frame_count(), reference.frame_count(), clip.loops),
+        with_tempo(held_hits(hits, m), original.frame_count(), reference.frame_count(), clip.loops),
         travels(original));
     done.repaired = std::move(held.clip);
     report.hand_correction = held.largest_correction;

@@ -104,7 +104,8 @@ void check(const Modification& modification);
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
 /// then variation, tempo, posture, joint limits and foot repair; with foot repair by plants, hands
-/// that hit something still do so at the same places (held_hands.h). Hips are adducted less than
+/// that hit something still do so at the same places (held_hands.h), unless variation or
+/// acceleration elsewhere changes their timing. Hips are adducted less than
 /// requested if steps would otherwise become narrower than a foot and than in the original
 /// (feet_apart.h). Bone lengths never change; a loop stays a loop. Clips may walk in place. Throws
 /// mien::Error as `check` does, and for a skeleton other than the canonical body.

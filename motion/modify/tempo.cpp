@@ -48,10 +48,14 @@ Clip with_tempo(const Clip& clip, double tempo) {
   return result;
 }
 
+double frame_scale(int frames_before, int frames_after, bool loops) {
+  return loops ? static_cast<double>(frames_after) / frames_before
+               : (frames_after - 1.0) / std::max(1, frames_before - 1);
+}
+
 std::vector<FootPlant> with_tempo(const std::vector<FootPlant>& plants, int frames_before,
                                   int frames_after, bool loops) {
-  const double scale = loops ? static_cast<double>(frames_after) / frames_before
-                             : (frames_after - 1.0) / std::max(1, frames_before - 1);
+  const double scale = frame_scale(frames_before, frames_after, loops);
   std::vector<FootPlant> result = plants;
   for (FootPlant& plant : result) {
     // Within the plant: a foot that is half a frame too long on the floor would have to slide.

@@ -206,7 +206,7 @@ TEST(SeededFaults, AWholePeriodIsNoShift) {
   for (const Finding& finding : compared) EXPECT_NE(finding.unit, "s") << finding.sentence;
 }
 
-/// A capture with a fault of its own, which was looked at.
+/// A capture with a fault that was recorded, as the paths of its joints show.
 struct FaultyCapture {
   std::string file;
   std::string check;

@@ -90,6 +90,33 @@ TEST(HeldHands, KeepTheirHitsAtAnotherTempo) {
               0.02);
 }
 
+TEST(HeldHands, AreFreeWhereTheirTimingChangesOtherwise) {
+  const Clip clip = knocking();
+  Modification m;
+  m.acceleration = 1.0;
+  EXPECT_EQ(modify(clip, m).report.hand_correction, 0.0);
+  m.limbs.right_hand = false;
+  m.paths = 0.4;
+  EXPECT_GT(modify(clip, m).report.hand_correction, 0.01);
+  m = {};
+  m.variation = 1.0;
+  EXPECT_EQ(modify(clip, m).report.hand_correction, 0.0);
+}
+
+TEST(HeldHands, AreFiniteWhereHitsComeToTheSameFrame) {
+  const Clip clip = knocking();
+  std::vector<HandHit> hits = hand_hits(clip);
+  hits.push_back(hits.back());
+  hits.back().frame += 1;
+  const std::vector<HandHit> fewer =
+      with_tempo(hits, clip.frame_count(), clip.frame_count() / 4, false);
+  EXPECT_EQ(fewer.size(), 4u);
+  Modification m = leaning_with_short_paths();
+  m.tempo = 4.0;
+  for (const Pose& pose : modified(clip, m).poses)
+    for (const Quat& rotation : pose.rotations) EXPECT_TRUE(rotation.coeffs().allFinite());
+}
+
 TEST(HeldHands, HitHarderWithAccelerationAtContacts) {
   const Clip clip = knocking();
   Modification m;
