@@ -6,14 +6,10 @@
 
 namespace mien::motion {
 
-namespace {
-
 bool has_flights(const Clip& clip) {
   const Clip unrolled = clip.loops ? repeated(clip, 3) : clip;
   return !flights(unrolled, foot_plants(unrolled, event_contact())).empty();
 }
-
-}  // namespace
 
 std::vector<FootPlant> gait_plants(const Clip& clip) {
   return has_flights(clip) ? foot_plants(clip, event_contact()) : foot_plants(clip);

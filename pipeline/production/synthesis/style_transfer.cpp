@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "motion/error.h"
+#include "motion/gait/gait_plants.h"
 #include "motion/modify/contacts_carried.h"
 #include "motion/rig/retarget.h"
 #include "motion/style_transfer/displacement_map.h"
@@ -138,6 +139,19 @@ RestyledClip restyled_clip(const motion::Example& motion, const motion::Example&
                          {.amount = strength})};
 }
 
+/// Says that a style of walks is applied to a run, or one of runs to another motion.
+void note_other_gait(const motion::Clip& clip, const motion::Example& neutral,
+                     std::vector<std::string>& notes) {
+  const bool runs = motion::has_flights(clip);
+  if (runs == motion::has_flights(neutral.clip)) return;
+  notes.push_back(
+      fmt::format("the motion {}, but the neutral example \"{}\" {}: what the style changes may "
+                  "not suit it, and "
+                  "feet may slide; use examples that {}",
+                  runs ? "runs" : "does not run", neutral.name, runs ? "does not" : "runs",
+                  runs ? "run" : "do not run"));
+}
+
 /// The time, seconds, at which a frame of the original occurs.
 double time_of(double frame, const std::vector<double>& source_frames, const motion::Clip& clip) {
   std::size_t after = 1;
@@ -175,6 +189,7 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
     made.source_frames = motion::even_source_frames(motion.clip, clip.frame_count());
   }
   const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_travel_m;
+  if (travels) note_other_gait(motion.clip, neutral, result.notes);
   if (step.feet && travels) {
     const motion::TimedOriginal original = motion::timed_original(motion.clip, made.source_frames);
     clip = motion::with_contacts_carried(clip, original);

@@ -33,7 +33,7 @@ TEST(GaitPlants, OfAWalkAreThoseOfContact) {
   const std::vector<FootPlant> found = gait_plants(walk);
   const std::vector<FootPlant> expected = foot_plants(walk);
   ASSERT_EQ(found.size(), expected.size());
-  for (size_t i = 0; i < plants.size(); ++i) {
+  for (size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(found[i].left, expected[i].left);
     EXPECT_EQ(found[i].first, expected[i].first);
     EXPECT_EQ(found[i].last, expected[i].last);

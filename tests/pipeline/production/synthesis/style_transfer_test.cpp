@@ -1,11 +1,17 @@
 #include "pipeline/production/synthesis/style_transfer.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
 #include "motion/examples/settled_feet.h"
+#include "motion/gait/gait.h"
+#include "motion/gait/loop.h"
 #include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/straighten.h"
+#include "motion/synthetic_run.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 
@@ -87,6 +93,32 @@ TEST(StyleTransfer, SaysWhichComponentsItSwapped) {
       restyled(example("normal"), step_by(StyleMethod::shapiro), 1.0, builtin_repertoire());
   ASSERT_FALSE(result.notes.empty());
   EXPECT_EQ(result.notes[0].rfind("style components swapped: ", 0), 0u);
+}
+
+bool warns_of_another_gait(const RestyledMotion& result) {
+  return std::ranges::any_of(result.notes, [](const std::string& note) {
+    return note.find("run, but the neutral") != std::string::npos ||
+           note.find("runs, but the neutral") != std::string::npos;
+  });
+}
+
+TEST(StyleTransfer, WarnsWhereTheStyleOfAWalkIsAppliedToARun) {
+  motion::test::SyntheticRun run;
+  const motion::Clip take = motion::test::steady_run(run, 2.0 * run.stride, 2.5);
+  motion::Example running;
+  running.name = "run";
+  running.clip = motion::straightened(motion::closed_loop(take, 100, 150));
+  const auto cycle = motion::cycle_of_loop(running.clip);
+  ASSERT_TRUE(cycle);
+  running.keytimes.assign(cycle->keytimes.begin(), cycle->keytimes.end());
+  StyleStep step = step_by(StyleMethod::unuma);
+  EXPECT_TRUE(warns_of_another_gait(restyled(running, step, 1.0, builtin_repertoire())));
+  EXPECT_FALSE(warns_of_another_gait(restyled(example("normal"), step, 1.0, builtin_repertoire())));
+  Repertoire runs = builtin_repertoire();
+  runs.settled.examples.push_back(running);
+  step.neutral = "run";
+  EXPECT_TRUE(warns_of_another_gait(restyled(example("normal"), step, 1.0, runs)));
+  EXPECT_FALSE(warns_of_another_gait(restyled(running, step, 1.0, runs)));
 }
 
 TEST(StyleTransfer, RefusesAnExampleThatIsNotThere) {
