@@ -5,7 +5,7 @@ namespace mien::render {
 Quality draft_quality() {
   Quality quality;
   quality.samples_per_pixel = 2;
-  quality.sky_rays = 2;
+  quality.sky_rays = 1;
   quality.samples_shaded_together = 2;
   quality.shades_pixel_pairs = true;
   quality.shares_occlusion = true;
