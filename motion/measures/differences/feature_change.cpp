@@ -25,6 +25,10 @@ bool FeatureChange::agrees() const {
   return moved() && created_change() / target_change() >= least_share;
 }
 
+bool FeatureChange::opposes() const {
+  return moved() && created_change() / target_change() <= -least_share;
+}
+
 std::vector<FeatureChange> feature_changes(const FeatureValues& reference,
                                            const FeatureValues& target,
                                            const FeatureValues& created) {

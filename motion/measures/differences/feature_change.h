@@ -22,6 +22,9 @@ struct FeatureChange {
   /// Whether the target moved, and the created motion changed in the same direction by at least a
   /// tenth of the target's change.
   bool agrees() const;
+  /// Whether the target moved, and the created motion changed the other way by at least a tenth of
+  /// the target's change.
+  bool opposes() const;
 };
 
 /// The changes of the features that all three motions have, in the order of motion_features().

@@ -44,9 +44,10 @@ std::string modification_sources(MethodsText& out) {
 
 std::string recipe_book(MethodsText& out) {
   if (!out.manifest.recipes.file.empty()) return out.manifest.recipes.file.filename().string();
-  return out.manifest.recipes.name == "fig29"
-             ? "figure 29 of the emotion thesis, with mien's numbers"
-             : "mien's own, after the emotion thesis";
+  if (out.manifest.recipes.name == "fig29")
+    return "figure 29 of the emotion thesis, with mien's numbers";
+  return out.manifest.recipes.name == "builtin@0.2" ? "those of mien 0.2, after the emotion thesis"
+                                                    : "mien's own, after the emotion thesis";
 }
 
 void describe_steps(MethodsText& out) {

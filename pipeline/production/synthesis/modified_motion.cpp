@@ -106,20 +106,23 @@ void add_breakage(const std::vector<motion::Finding>& findings, Breakage& breaka
 
 /// What is broken in the original itself. What the repair of the feet breaks is none of it: what is
 /// delivered is judged.
-Breakage broken_before(const Steps& steps) {
+Breakage broken_before(const motion::Clip& original) {
   Breakage breakage;
-  add_breakage(motion::lint(steps.shown_original), breakage);
-  add_breakage(motion::lint(steps.shown_original, {}, &steps.shown_original), breakage);
+  add_breakage(motion::lint(original), breakage);
+  add_breakage(motion::lint(original, {}, &original), breakage);
   return breakage;
+}
+
+bool is_new(const motion::Finding& finding, const Breakage& own) {
+  if (finding.severity != motion::Severity::error) return false;
+  const auto known = own.find({finding.check, finding.joint});
+  return known == own.end() || std::abs(finding.measured) > clearly_worse * known->second;
 }
 
 /// The first error that is not there anyway.
 const motion::Finding* new_error(const ModifiedMotion& modified, const Breakage& own) {
   for (const motion::Finding& finding : modified.findings) {
-    if (finding.severity != motion::Severity::error) continue;
-    const auto known = own.find({finding.check, finding.joint});
-    if (known == own.end()) return &finding;
-    if (std::abs(finding.measured) > clearly_worse * known->second) return &finding;
+    if (is_new(finding, own)) return &finding;
   }
   return nullptr;
 }
@@ -200,7 +203,7 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
                     at_rate(original.clip, stimulus.output.fps)};
   ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
-  const Breakage own = broken_before(steps);
+  const Breakage own = broken_before(steps.shown_original);
   const motion::Finding* fault = new_error(whole, own);
   if (fault == nullptr) {
     whole.notes.push_back("the lint findings are present without the modification, too");
@@ -208,6 +211,16 @@ ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& st
   }
   const motion::Finding worst = *fault;
   return dealt_with(std::move(whole), worst, original, steps, own);
+}
+
+std::vector<motion::Finding> new_errors(const std::vector<motion::Finding>& findings,
+                                        const motion::Clip& original) {
+  const Breakage own = broken_before(original);
+  std::vector<motion::Finding> errors;
+  for (const motion::Finding& finding : findings) {
+    if (is_new(finding, own)) errors.push_back(finding);
+  }
+  return errors;
 }
 
 std::string described(const ModificationStep& step) {

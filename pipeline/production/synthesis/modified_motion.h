@@ -36,6 +36,11 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
                              const Repertoire& repertoire);
 
+/// Returns the errors that lint found in a modified motion and the original, at the same frame
+/// rate, does not have, or that are more than 1.5 times as large as in it.
+std::vector<motion::Finding> new_errors(const std::vector<motion::Finding>& findings,
+                                        const motion::Clip& original);
+
 /// Returns a readable description of a step: "sad × 0.8", "paths 1.4, acceleration +0.3,
 /// head-flexion 12°".
 std::string described(const ModificationStep& step);

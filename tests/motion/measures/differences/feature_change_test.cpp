@@ -38,6 +38,19 @@ TEST(FeatureChange, AgreesFromATenthOfTheTargetsWayOn) {
   }
 }
 
+TEST(FeatureChange, OpposesFromATenthOfTheTargetsWayBackOn) {
+  const auto opposes = [](double target, double created) {
+    return FeatureChange{find_motion_feature("mu-head-fb"), 7.0, 7.0 + target, 7.0 + created}
+        .opposes();
+  };
+  for (const double way : {1.0, -1.0}) {
+    EXPECT_TRUE(opposes(way * 10.0, -way * 1.01));
+    EXPECT_FALSE(opposes(way * 10.0, -way * 0.99));
+    EXPECT_FALSE(opposes(way * 10.0, way * 10.0));
+    EXPECT_FALSE(opposes(way * 0.5, -way * 0.5));  // nothing to oppose
+  }
+}
+
 TEST(FeatureChanges, LeaveOutWhatOneOfTheMotionsLacks) {
   FeatureValues reference{};
   FeatureValues target{};
