@@ -5,7 +5,6 @@
 
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
-#include "motion/modify/tempo.h"
 #include "motion/skeleton/pose.h"
 #include "motion/skeleton/two_bone_ik.h"
 
@@ -94,21 +93,6 @@ Vec3 shift_at(const std::vector<Correction>& corrections, int frame, int count, 
 }
 
 }  // namespace
-
-std::vector<HandHit> with_tempo(const std::vector<HandHit>& hits, int frames_before,
-                                int frames_after, bool loops) {
-  const double scale = frame_scale(frames_before, frames_after, loops);
-  std::vector<HandHit> result;
-  for (HandHit hit : hits) {
-    const int frame = static_cast<int>(std::lround(hit.frame * scale));
-    hit.frame = std::min(frame, frames_after - 1);
-    const auto is_same = [&](const HandHit& other) {
-      return other.left == hit.left && other.frame == hit.frame;
-    };
-    if (std::none_of(result.begin(), result.end(), is_same)) result.push_back(hit);
-  }
-  return result;
-}
 
 HeldHands with_held_hands(const Clip& clip, const Clip& reference, const std::vector<HandHit>& hits,
                           bool travels) {

@@ -6,11 +6,6 @@
 
 namespace mien::motion {
 
-/// The hits at another tempo, as with_tempo of foot plants (tempo.h). Of hits of one hand that come
-/// to the same frame, only the first is kept.
-std::vector<HandHit> with_tempo(const std::vector<HandHit>& hits, int frames_before,
-                                int frames_after, bool loops);
-
 struct HeldHands {
   Clip clip;
   double largest_correction = 0.0;  ///< metres

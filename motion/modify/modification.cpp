@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/gait/gait_plants.h"
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/feet_apart.h"
@@ -15,7 +17,7 @@
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/soft_limits.h"
-#include "motion/modify/tempo.h"
+#include "motion/modify/tempo_forces.h"
 #include "motion/modify/variation.h"
 #include "motion/skeleton/straighten.h"
 
@@ -26,6 +28,7 @@ namespace {
 constexpr double walking_floor = 0.05;  // m/s; a floor that moves faster under a loop is walked on
 constexpr double tempo_tolerance = 5e-4;
 constexpr double slowest_walk = 0.15;  // m/s
+constexpr double heaviest = 3.0;       // weight
 
 bool is_unit(const PathGains& gains) {
   return gains.low == 1.0 && gains.middle == 1.0 && gains.high == 1.0 &&
@@ -102,13 +105,32 @@ std::vector<HandHit> held_hits(std::vector<HandHit> hits, const Modification& m)
   return hits;
 }
 
+/// The foot plants that a modification needs. Feet of runs are only taken for planted where the
+/// height of the body depends on it: `by_gait`.
+std::vector<FootPlant> contacts_of(const Clip& original, const Modification& m, bool needed,
+                                   bool by_gait) {
+  if (m.repair == FootRepair::none && !needed && !may_bring_feet_together(m)) return {};
+  return by_gait ? gait_plants(original) : foot_plants(original);
+}
+
+/// Retiming by one factor is as even as playing a film at another speed.
+Retiming timing(const Clip& original, const Tempo& tempo, bool in_gravity,
+                const Carriage& carriage) {
+  const int count = original.frame_count();
+  if (!in_gravity) return retiming(count, original.loops, tempo);
+  return retiming(
+      count, original.loops, tempo,
+      stretched_contacts(count, original.frames_per_second, original.loops, tempo, carriage));
+}
+
 void write_remarks(ModificationReport& report, const Modification& asked, bool stays) {
   char text[160];
-  if (std::abs(report.tempo / asked.tempo - 1.0) > tempo_tolerance) {
+  const double asked_tempo = report.retiming.factor;
+  if (std::abs(report.tempo / asked_tempo - 1.0) > tempo_tolerance) {
     std::snprintf(
         text, sizeof text,
         "tempo %.3f instead of the requested %.3f, because a motion lasts a whole number of frames",
-        report.tempo, asked.tempo);
+        report.tempo, asked_tempo);
     report.remarks.emplace_back(text);
   }
   if (asked.repair != FootRepair::none && report.plants == 0) {
@@ -154,6 +176,8 @@ Finished finished(const Clip& timed, const Clip& reference, const std::vector<Fo
   if (!m.posture.empty() || m.pose_difference) {
     result.posed = with_posture(timed, m.posture, m.pose_difference);
   }
+  if (!is_unit(m.stiffness) || m.weight != 1.0)
+    result.posed = with_limb_dynamics(result.posed, m.stiffness, m.weight);
   if (m.soft_joint_limits) {
     SoftLimits limited = with_soft_limits(result.posed, reference);
     result.posed = std::move(limited.clip);
@@ -208,8 +232,8 @@ bool is_identity(const Modification& m) {
       std::all_of(m.posture.begin(), m.posture.end(),
                   [](const PostureChange& change) { return change.degrees == 0.0; }) &&
       (!m.pose_difference || turns_nothing(*m.pose_difference));
-  return paths_stay && posture_stays && m.acceleration == 0.0 && m.tempo == 1.0 &&
-         m.variation == 0.0;
+  return paths_stay && posture_stays && m.acceleration == 0.0 && is_unit(m.tempo) &&
+         is_unit(m.stiffness) && m.weight == 1.0 && m.variation == 0.0;
 }
 
 Modification scaled(const Modification& modification, double strength) {
@@ -227,7 +251,9 @@ Modification scaled(const Modification& modification, double strength) {
   if (m.pose_difference) {
     for (Quat& turn : m.pose_difference->turns) turn = exp(strength * log(turn));
   }
-  m.tempo = std::clamp(std::pow(m.tempo, strength), 0.25, 4.0);
+  m.tempo = scaled(m.tempo, strength);
+  m.stiffness = scaled(m.stiffness, strength);
+  m.weight = std::clamp(towards_one(m.weight, strength), 0.0, heaviest);
   m.variation = std::clamp(strength * m.variation, 0.0, 1.0);
   return m;
 }
@@ -235,7 +261,16 @@ Modification scaled(const Modification& modification, double strength) {
 void check(const Modification& m) {
   check_range("paths", m.paths, 0.0, 2.0);
   check_range("acceleration", m.acceleration, -1.0, 1.0);
-  check_range("tempo", m.tempo, 0.25, 4.0);
+  if (const TempoFault fault = fault_of(m.tempo); !fault.wrong.empty())
+    throw Error(fault.wrong, fault.remedy);
+  for (const auto& [name, value, most] :
+       {std::tuple("stiffness of the head", m.stiffness.head, 2.0),
+        std::tuple("stiffness of the trunk", m.stiffness.trunk, 2.0),
+        std::tuple("stiffness of the left arm", m.stiffness.left_arm, 2.0),
+        std::tuple("stiffness of the right arm", m.stiffness.right_arm, 2.0),
+        std::tuple("stiffness of the legs", m.stiffness.legs, 1.0)})
+    check_range(name, value, 0.0, most);
+  check_range("weight", m.weight, 0.0, heaviest);
   check_range("variation", m.variation, 0.0, 1.0);
   for (const PostureChange& change : m.posture) {
     check_range(std::string(name_of(change.unit)).c_str(), change.degrees, -180.0, 180.0);
@@ -260,10 +295,10 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   const Clip original = made_travelling(clip);
   const bool at_contacts =
       m.acceleration > 0.0 && m.acceleration_place == AccelerationPlace::contacts;
-  const std::vector<FootPlant> contacts =
-      m.repair != FootRepair::none || at_contacts || may_bring_feet_together(m)
-          ? foot_plants(original)
-          : std::vector<FootPlant>{};
+  const bool in_gravity = m.gravity == TempoGravity::kept && !is_unit(m.tempo);
+  const bool on_slack_legs = m.stiffness.legs < 1.0 || m.weight != 1.0;
+  const std::vector<FootPlant> contacts = contacts_of(
+      original, m, at_contacts || in_gravity || on_slack_legs, in_gravity || on_slack_legs);
   const std::vector<FootPlant> plants =
       m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;
   const std::vector<HandHit> hits =
@@ -271,10 +306,13 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
   const Clip moved =
       with_variation(grid_motion(original, contacts, m, hits), m.variation, m.limbs, m.seed);
 
-  const Clip reference = with_tempo(original, m.tempo);
-  const auto in_time = [&](const std::vector<FootPlant>& stretches) {
-    return with_tempo(stretches, original.frame_count(), reference.frame_count(), clip.loops);
-  };
+  const Carriage carriage =
+      in_gravity || on_slack_legs
+          ? carriage_of(original, contacts, travels(original) ? way(original) : 0.0)
+          : Carriage{};
+  report.retiming = timing(original, m.tempo, in_gravity, carriage);
+  const Clip reference = retimed(original, report.retiming);
+  const auto in_time = [&](const auto& stretches) { return retimed(stretches, report.retiming); };
   const std::vector<FootPlant> stands = in_time(plants);
   if (at_contacts && hits.empty() && contact_frames(contacts, original.frame_count()).empty()) {
     report.remarks.emplace_back(
@@ -282,15 +320,23 @@ ModifiedClip modify(const Clip& clip, const Modification& m) {
         "effect: " +
         (contacts.empty() ? unplanted_feet() : "feet stand throughout"));
   }
-  Finished done = finished_with_feet_apart(with_tempo(moved, m.tempo), reference, stands, m,
-                                           in_time(contacts), report);
+  const Clip timed = retimed(moved, report.retiming);
+  Finished done = finished_with_feet_apart(
+      in_gravity ? with_steps_at_tempo(timed, m.tempo, report.retiming, carriage) : timed,
+      reference, stands, m, in_time(contacts), report);
+  if (in_gravity) {
+    const std::vector<double> played = body_heights(finished(timed, reference, stands, m).repaired);
+    done.repaired = with_gravity_kept(done.repaired, played, m.tempo, report.retiming, carriage);
+  }
+  if (on_slack_legs) {
+    done.repaired = with_slack_legs(done.repaired, m.stiffness.legs, m.weight, in_time(contacts),
+                                    in_time(carriage.flights));
+  }
   report.largest_limit_excess = done.largest_limit_excess;
   report.hits = static_cast<int>(hits.size());
   if (m.repair == FootRepair::plants && !hits.empty()) {
-    HeldHands held = with_held_hands(
-        done.repaired, reference,
-        with_tempo(held_hits(hits, m), original.frame_count(), reference.frame_count(), clip.loops),
-        travels(original));
+    HeldHands held =
+        with_held_hands(done.repaired, reference, in_time(held_hits(hits, m)), travels(original));
     done.repaired = std::move(held.clip);
     report.hand_correction = held.largest_correction;
   }

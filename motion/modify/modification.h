@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "motion/modify/limb_dynamics.h"
 #include "motion/modify/posture.h"
+#include "motion/modify/retiming.h"
+#include "motion/modify/tempo_curve.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {
@@ -54,6 +57,12 @@ enum class FootRepair {
   none,
 };
 
+/// What a change of tempo does to heights and steps.
+enum class TempoGravity {
+  scaled,  ///< nothing, as when a film is played at another speed (default)
+  kept,    ///< heights and steps become those of a body in the same gravity (tempo_forces.h)
+};
+
 /// A change of the emotional content of a motion (after the emotion thesis). The default changes
 /// nothing.
 struct Modification {
@@ -65,7 +74,10 @@ struct Modification {
   Limbs limbs;  ///< to which acceleration and variation apply
   std::vector<PostureChange> posture;
   std::optional<PoseDifference> pose_difference;
-  double tempo = 1.0;      ///< overall speed factor, 0.25–4; the duration is divided by it
+  Tempo tempo;  ///< overall speed factor, 0.25–4, or a curve of factors
+  TempoGravity gravity = TempoGravity::scaled;
+  Stiffness stiffness;     ///< below 1 slack, above 1 held (limb_dynamics.h)
+  double weight = 1.0;     ///< factor on gravity, 0–3, that muscles must hold
   double variation = 0.0;  ///< 0–1: strength of smooth random changes of limb paths and timing
   std::uint64_t seed = 1;  ///< of the variation
   FootRepair repair = FootRepair::plants;
@@ -75,6 +87,7 @@ struct Modification {
 /// Effects of a modification, for the report.
 struct ModificationReport {
   double tempo = 1.0;  ///< effective tempo, after rounding the duration to whole frames
+  Retiming retiming;   ///< of the original's frames; of an unchanged motion without frames
   int plants = 0;      ///< number of foot plants, detected on the original
   double drift_before_repair = 0.0;  ///< metres: largest drift of a planted foot (planted_drift)
   double drift_after_repair = 0.0;   ///< metres
@@ -103,7 +116,8 @@ void check(const Modification& modification);
 
 /// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
 /// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
-/// then variation, tempo, posture, joint limits and foot repair; with foot repair by plants, hands
+/// then variation, tempo, posture, slack and held parts, joint limits, foot repair, and heights in
+/// the same gravity and on slack legs; with foot repair by plants, hands
 /// that hit something still do so at the same places (held_hands.h), unless variation or
 /// acceleration elsewhere changes their timing. Hips are adducted less than
 /// requested if steps would otherwise become narrower than a foot and than in the original

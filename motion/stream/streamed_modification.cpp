@@ -23,13 +23,17 @@ bool changes_posture(const Modification& modification) {
   return !modification.posture.empty() || modification.pose_difference.has_value();
 }
 
-Error tempo_refused(double tempo) {
+Error tempo_refused(const Tempo& tempo) {
+  if (!tempo.curve.empty()) {
+    return Error("a curve of tempos cannot be streamed: its moments are shares of the whole motion",
+                 "omit the tempo (--leave-out tempo), or modify the whole motion after recording");
+  }
   char wrong[120];
   std::snprintf(wrong, sizeof wrong,
-                tempo < 1.0
+                tempo.factor < 1.0
                     ? "tempo %g cannot be streamed: the motion would fall behind without limit"
                     : "tempo %g cannot be streamed: it would need future frames",
-                tempo);
+                tempo.factor);
   return Error(wrong,
                "omit the tempo (--leave-out tempo), or modify the whole motion after recording");
 }
@@ -71,7 +75,11 @@ Pose PostureStream::next() {
 
 void check_streamable(const Modification& m) {
   check(m);
-  if (m.tempo != 1.0) throw tempo_refused(m.tempo);
+  if (!is_unit(m.tempo)) throw tempo_refused(m.tempo);
+  if (!is_unit(m.stiffness) || m.weight != 1.0) {
+    throw Error("stiffness and weight cannot be streamed: slack limbs follow the finished motion",
+                "omit them (--leave-out stiffness), or modify the whole motion after recording");
+  }
   if (m.variation != 0.0) {
     throw Error(
         "variation cannot be streamed: its curves span the whole motion",

@@ -19,7 +19,7 @@ bool has(const ModificationStep& step, FoilAspect aspect) {
     case FoilAspect::path_length:
       return values.paths != 1.0 || values.gains.has_value();
     case FoilAspect::speed:
-      return values.tempo != 1.0;
+      return !motion::is_unit(values.tempo);
     case FoilAspect::acceleration:
       break;
   }

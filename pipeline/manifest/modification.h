@@ -89,6 +89,26 @@ struct PostureForm {
   }
 };
 
+inline constexpr Words<motion::TempoGravity> gravity_words = {
+    {"scaled", motion::TempoGravity::scaled}, {"keep", motion::TempoGravity::kept}};
+
+/// `tempo: 1.2`, or a curve: `tempo: [[0, 1], [0.5, 1.4]]`, shares of the duration and factors.
+struct TempoForm {
+  static void read(const DocumentValue& given, motion::Tempo& tempo);
+  static nlohmann::ordered_json write(const motion::Tempo& tempo, const WritingOptions&);
+};
+
+/// `stiffness: 0.4`, or by part: `stiffness: {arms: 0.3, head: 0.5}`; parts that are not named are
+/// as they are. Given in a manifest, it replaces the recipe's.
+struct StiffnessForm {
+  static void read(const DocumentValue& given, motion::Stiffness& stiffness);
+  static nlohmann::ordered_json write(const motion::Stiffness& stiffness, const WritingOptions&);
+  static void walk(auto& names) {
+    for (const char* part : {"head", "trunk", "arms", "left-arm", "right-arm", "legs"})
+      names.add(part);
+  }
+};
+
 void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification) {
   field("paths", modification.paths, concerns::motion);
   field("gains", modification.gains, concerns::motion);
@@ -97,7 +117,10 @@ void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification
   field("acceleration_at", modification.acceleration_place, concerns::motion, acceleration_words);
   field.by("limbs", modification.limbs, concerns::motion, LimbsForm());
   field.by("posture", modification.posture, concerns::motion, PostureForm());
-  field("tempo", modification.tempo, concerns::motion);
+  field.by("tempo", modification.tempo, concerns::motion, TempoForm());
+  field("gravity", modification.gravity, concerns::motion, gravity_words);
+  field.by("stiffness", modification.stiffness, concerns::motion, StiffnessForm());
+  field("weight", modification.weight, concerns::motion);
   field("variation", modification.variation, concerns::motion);
   field("seed", modification.seed, concerns::motion);
   field("repair", modification.repair, concerns::motion, repair_words);

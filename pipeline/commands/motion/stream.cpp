@@ -42,6 +42,10 @@ struct StreamOptions {
 void leave_out(motion::Modification& modification, const std::string& what) {
   const motion::Modification unchanged;
   if (what == "tempo") modification.tempo = unchanged.tempo;
+  if (what == "stiffness") {
+    modification.stiffness = unchanged.stiffness;
+    modification.weight = unchanged.weight;
+  }
   if (what == "variation") modification.variation = unchanged.variation;
   if (what == "acceleration") modification.acceleration = unchanged.acceleration;
   if (what == "paths") {
@@ -234,8 +238,9 @@ Command motion_stream_command() {
                   "modify without foot locking; otherwise 0)")
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
-                  "Parts of the change to leave out: tempo, variation, acceleration, paths")
-               .one_of({"tempo", "variation", "acceleration", "paths"}),
+                  "Parts of the change to leave out: tempo, variation, acceleration, paths, "
+                  "stiffness (with weight)")
+               .one_of({"tempo", "variation", "acceleration", "paths", "stiffness"}),
            flag("--still-legs", &options->still_legs,
                 "Change the amplitude of movement (paths) of trunk, head and arms only, so that "
                 "feet do not slide"),
@@ -257,7 +262,8 @@ Command motion_stream_command() {
       .notes =
           "Frames are written as soon as they are available; a summary goes to standard error. "
           "Planted feet are\n"
-          "not locked, and tempo and variation cannot be streamed.\n\nExamples:\n"
+          "not locked, and tempo, variation, stiffness and weight cannot be "
+          "streamed.\n\nExamples:\n"
           "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
           "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
           "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",

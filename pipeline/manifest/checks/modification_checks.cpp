@@ -24,6 +24,7 @@ class StepChecker : FaultList {
       add(member_path(step.path, "gains"), "paths already determines the band gains",
           "give paths or gains");
     }
+    check_tempo(step);
     if (step.edit.pose) {
       check_pose(member_path(step.path, "pose.neutral"), step.edit.pose->neutral);
       check_pose(member_path(step.path, "pose.posed"), step.edit.pose->posed);
@@ -76,13 +77,21 @@ class StepChecker : FaultList {
     if (!was_given("examples")) {
       add(member_path(step.path, "method"), "there are no examples for a style", "add examples:");
     }
-    for (const char* key :
-         {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
-          "posture", "pose", "tempo", "variation", "soft_limits"}) {
+    for (const char* key : {"emotion", "paths", "gains", "signal", "acceleration",
+                            "acceleration_at", "limbs", "posture", "pose", "tempo", "gravity",
+                            "stiffness", "weight", "variation", "soft_limits"}) {
       if (!was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, key), "a step with a method has no other changes",
           "make a list of two steps");
     }
+  }
+
+  void check_tempo(const ModificationStep& step) {
+    const motion::TempoFault fault = motion::fault_of(step.edit.values.tempo);
+    if (fault.wrong.empty()) return;
+    const std::string path = member_path(step.path, "tempo");
+    add(fault.point < 0 ? path : element_path(path, static_cast<std::size_t>(fault.point)),
+        fault.wrong, fault.remedy);
   }
 
   void check_pose(const std::string& path, const PoseSource& pose) {

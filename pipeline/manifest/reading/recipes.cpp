@@ -39,6 +39,13 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
       faults.push_back({place_of(places, "recipes"), "recipes", "a recipe has no name",
                         "name it as the emotion used in manifests"});
     }
+    if (const motion::TempoFault fault = motion::fault_of(recipe.edit.values.tempo);
+        !fault.wrong.empty()) {
+      const std::string tempo = member_path(path, "tempo");
+      const std::string where =
+          fault.point < 0 ? tempo : element_path(tempo, static_cast<std::size_t>(fault.point));
+      faults.push_back({place_of(places, where), where, fault.wrong, fault.remedy});
+    }
     if (recipe.edit.names("paths") && recipe.edit.names("gains")) {
       faults.push_back({place_of(places, member_path(path, "gains")), member_path(path, "gains"),
                         "paths already determines the band gains", "give paths or gains"});

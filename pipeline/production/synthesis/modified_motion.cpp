@@ -11,6 +11,7 @@
 #include "motion/lint/lint.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/base/reading/field_values.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/style_transfer.h"
 
@@ -58,9 +59,12 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
       motion::modify(result.motion.clip, motion::scaled(modification, share * step.strength));
   const double before = result.motion.clip.duration_seconds();
   result.motion.clip = std::move(modified.clip);
-  for (double& keytime : result.motion.keytimes) {
-    keytime *= result.motion.clip.duration_seconds() / before;
-  }
+  const double now = result.motion.clip.duration_seconds();
+  const motion::Retiming& retiming = modified.report.retiming;
+  const bool is_even = retiming.is_even || retiming.sources.empty();
+  for (double& keytime : result.motion.keytimes)
+    keytime = is_even ? keytime * (now / before)
+                      : now * motion::retimed_share(keytime / before, retiming);
   result.planted_drift_m = modified.report.drift_after_repair;
   for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
 }
@@ -238,7 +242,20 @@ std::string described(const ModificationStep& step) {
     append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
   }
   if (edit.pose) parts.emplace_back("pose");
-  if (edit.names("tempo")) append(parts, "tempo", edit.values.tempo);
+  if (edit.names("tempo")) {
+    const motion::Tempo& tempo = edit.values.tempo;
+    if (tempo.curve.empty())
+      append(parts, "tempo", tempo.factor);
+    else
+      parts.push_back("tempo " + motion::text_of(tempo));
+  }
+  if (edit.names("gravity")) parts.emplace_back("gravity kept");
+  if (edit.names("stiffness")) {
+    const OrderedJson stiffness = StiffnessForm::write(edit.values.stiffness, {});
+    for (const auto& [part, value] : stiffness.items())
+      append(parts, "stiffness of " + part, value.get<double>());
+  }
+  if (edit.names("weight")) append(parts, "weight", edit.values.weight);
   if (edit.names("variation")) append(parts, "variation", edit.values.variation);
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
   if (text.empty()) text = "nothing";

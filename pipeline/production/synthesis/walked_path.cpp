@@ -112,9 +112,19 @@ std::vector<double> version_shares(const Mood& mood, const std::vector<Modificat
 
 /// The clip given an emotion, frame for frame the same moments.
 motion::SynchronisedMotion in_emotion(const motion::Clip& clip, const ModificationStep& recipe) {
-  const motion::Clip changed = motion::modified(clip, recipe.modification);
-  const std::vector<double> whole = {0.0, changed.duration_seconds()};
-  const std::vector<double> before = {0.0, clip.duration_seconds()};
+  const motion::ModifiedClip modified = motion::modify(clip, recipe.modification);
+  const motion::Clip& changed = modified.clip;
+  const motion::Retiming& retiming = modified.report.retiming;
+  std::vector<double> whole = {0.0, changed.duration_seconds()};
+  std::vector<double> before = {0.0, clip.duration_seconds()};
+  if (!retiming.is_even && !retiming.targets.empty()) {
+    whole = retiming.targets;
+    before.clear();
+    for (std::size_t f = 0; f < whole.size(); ++f) {
+      whole[f] /= changed.frames_per_second;
+      before.push_back(static_cast<double>(f) / clip.frames_per_second);
+    }
+  }
   motion::SynchronisedMotion motion = motion::synchronised(changed, whole, clip, before);
   motion.clip.name = clip.name;
   return motion;

@@ -83,7 +83,7 @@ TEST(HeldHands, KeepTheirHitsAtAnotherTempo) {
   m.tempo = 0.8;
   const Clip slower = modified(clip, m);
   for (const HandHit& hit :
-       with_tempo(hand_hits(clip), clip.frame_count(), slower.frame_count(), false))
+       retimed(hand_hits(clip), retiming_between(clip.frame_count(), slower.frame_count(), false)))
     EXPECT_LT((right_wrist(slower, hit.frame) - right_wrist(clip, 0) -
                (right_wrist(clip, static_cast<int>(hit.frame * 0.8 + 0.5)) - right_wrist(clip, 0)))
                   .norm(),
@@ -109,7 +109,7 @@ TEST(HeldHands, AreFiniteWhereHitsComeToTheSameFrame) {
   hits.push_back(hits.back());
   hits.back().frame += 1;
   const std::vector<HandHit> fewer =
-      with_tempo(hits, clip.frame_count(), clip.frame_count() / 4, false);
+      retimed(hits, retiming_between(clip.frame_count(), clip.frame_count() / 4, false));
   EXPECT_EQ(fewer.size(), 4u);
   Modification m = leaning_with_short_paths();
   m.tempo = 4.0;

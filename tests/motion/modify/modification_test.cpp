@@ -92,7 +92,7 @@ TEST(Modification, OfFullStrengthIsItself) {
   EXPECT_DOUBLE_EQ(half.paths, 1.3);
   EXPECT_DOUBLE_EQ(half.acceleration, 0.25);
   EXPECT_DOUBLE_EQ(half.posture[0].degrees, 5.0);
-  EXPECT_DOUBLE_EQ(half.tempo, std::sqrt(1.2));
+  EXPECT_DOUBLE_EQ(half.tempo.factor, std::sqrt(1.2));
   EXPECT_NEAR(log(half.pose_difference->turns[Chest]).x(), 0.05, 1e-12);
 }
 

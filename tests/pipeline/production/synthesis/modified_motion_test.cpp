@@ -1,5 +1,8 @@
 #include "pipeline/production/synthesis/modified_motion.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
@@ -99,6 +102,35 @@ TEST(ModifiedMotion, DoesItsStepsInOrderAndMovesKeytimesWithTempo) {
   EXPECT_EQ(result.motion.keytimes.size(), normal_walk().keytimes.size());
   EXPECT_NEAR(result.motion.keytimes.back(), result.motion.clip.duration_seconds(), 1e-9);
   EXPECT_EQ(described_modifications(stimulus), "head-flexion 10°; then tempo 0.8");
+}
+
+TEST(ModifiedMotion, MovesKeytimesAlongACurveOfTempos) {
+  ModificationStep step;
+  step.edit.values.tempo.curve = {{0.0, 0.5}, {0.5, 2.0}};
+  step.edit.named = {"tempo"};
+  step.modification = with_edit({}, step.edit);
+  Stimulus stimulus = stimulus_with({}, OnFault::warn);
+  stimulus.modify = {step};
+  const motion::Example original = normal_walk();
+  const ModifiedMotion result = modify_motion(original, stimulus, {});
+  const double before = original.clip.duration_seconds();
+  const double after = result.motion.clip.duration_seconds();
+  const motion::Retiming retiming =
+      motion::retiming(original.clip.frame_count(), true, step.modification.tempo);
+  for (std::size_t i = 0; i < original.keytimes.size(); ++i) {
+    // The moment of the original that is shown at the new keytime is the keytime.
+    const double frame = result.motion.keytimes[i] / after * retiming.frames_after();
+    const auto whole = static_cast<std::size_t>(std::min(frame, retiming.frames_after() - 1.0));
+    const double next = whole + 1 < retiming.sources.size()
+                            ? retiming.sources[whole + 1]
+                            : static_cast<double>(original.clip.frame_count());
+    const double source =
+        std::lerp(retiming.sources[whole], next, frame - static_cast<double>(whole));
+    EXPECT_NEAR(source, original.keytimes[i] / before * original.clip.frame_count(), 0.05);
+  }
+  EXPECT_NEAR(result.motion.keytimes.back(), after, 1e-9);
+  EXPECT_NE(result.motion.keytimes[1] / after, original.keytimes[1] / before);
+  EXPECT_EQ(described_modifications(stimulus), "tempo 0.5 → 2");
 }
 
 TEST(ModifiedMotion, IsNotBlamedForWhatWasBrokenBefore) {

@@ -108,7 +108,7 @@ double asked_acceleration(const Clip& take, const motion::Modification& m,
         largest, (1.0 - m.acceleration) * plain.acceleration +
                      m.acceleration * (speed * speed * shown.acceleration + change * shown.speed));
   }
-  return std::max(1.0, m.paths) * m.tempo * m.tempo * largest;
+  return std::max(1.0, m.paths) * m.tempo.factor * m.tempo.factor * largest;
 }
 
 /// No joint leaps farther than `allowed`, or than the recipe asks of it where it hurries limbs.

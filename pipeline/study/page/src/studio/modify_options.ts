@@ -69,6 +69,8 @@ function field(studio: Studio, index: number, path: string, schema: Omit<KeySche
     return named(box);
   }
   if (schema.type === "integer" || schema.type === "number") return named(number(value, schema, set));
+  const asNumber = schema.oneOf?.find((one) => one.type === "number");
+  if (asNumber && typeof value === "number") return named(number(value, asNumber, set));
   if (schema.type === "array" && schema.items?.enum) return named(several(value, schema.items.enum, set));
   if (schema.type === "array") return named(numbers(value, set));
   return element("code", { class: "as-written" }, JSON.stringify(value));

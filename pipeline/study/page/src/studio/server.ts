@@ -24,6 +24,7 @@ export interface KeySchema {
   examples?: Json[];
   items?: Omit<KeySchema, "title" | "description">;
   properties?: Record<string, KeySchema>;
+  oneOf?: KeySchema[];
 }
 
 export interface Words {
