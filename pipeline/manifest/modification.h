@@ -11,6 +11,7 @@
 
 #include "motion/modify/modification.h"
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/animation.h"
 #include "pipeline/manifest/recording_choice.h"
 #include "pipeline/manifest/style_step.h"
 
@@ -193,6 +194,10 @@ struct ModificationStep {
   std::optional<PoseDifferenceSource> pose;  ///< not yet included in `modification`
   /// An older method. If it is set, `strength` is the only other setting that is used.
   std::optional<StyleStep> style;
+  /// Of the last step only, at any strength: applied when all steps are made.
+  std::vector<motion::DriveEditing> drives;
+  std::vector<motion::AnimatorKey> keys;
+  std::vector<motion::MotionConstraint> constraints;
 };
 
 /// The members of a map that belong to an older method: its name and options.
@@ -210,6 +215,9 @@ void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("strength", step.strength, concerns::motion);
   field.inside(step.edit, concerns::motion, EditForm());
   field.inside(step.style, concerns::motion, StyleForm());
+  field("drives", step.drives, concerns::motion);
+  field("keys", step.keys, concerns::motion);
+  field("constraints", step.constraints, concerns::motion);
 }
 
 }  // namespace mien::pipeline

@@ -18,9 +18,11 @@
 #include "motion/points/gaps.h"
 #include "motion/points/marker_sets.h"
 #include "motion/points/point_axes.h"
+#include "motion/rig/recording_clip.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
+#include "pipeline/commands/motion/shown_drives.h"
 
 namespace mien::pipeline {
 
@@ -320,11 +322,14 @@ int show_info(const InfoOptions& options, const Console& console) {
     json["stated_unit_m"] = nullptr;
     if (stated_unit) json["stated_unit_m"] = *stated_unit;
     if (points) json["recorded"] = as_json(*points);
+    json["drives"] = ordered_json::array();
+    if (summary.is_human) json["drives"] = drives_as_json(clip_of(recording));
     console.out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   } else {
     show_people(recording, console);
     if (points) show_text(*points, console);
     show_text(summary, points.has_value(), stated_unit, recording.format, console);
+    if (summary.is_human) show_drives(clip_of(recording), console);
   }
   return exit_done;
 }

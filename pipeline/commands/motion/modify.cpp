@@ -106,6 +106,8 @@ Command motion_modify_command() {
           "  mien motion modify walk.bvh 'emotion: angry, strength: 0.6' angry.glb\n"
           "  mien motion modify walk.bvh '[{emotion: sad}, {tempo: 1.2}]' brisk-sad.bvh\n"
           "  mien motion modify dance.c3d sad sad.bvh --subject Anna\n"
+          "  mien motion modify walk.bvh 'keys: [{at: 1.2 s, right-hand: [-0.3, 1.4, 0.4]}]' "
+          "raised.bvh\n"
           "  mien motion modify walk.bvh 'paths: 1.4, posture: {head-flexion: 12}' longer.bvh",
       .run = [options](const Console& console) { return modify_file(*options, console); }};
 }

@@ -6,6 +6,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/animation_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 
@@ -77,9 +78,10 @@ class StepChecker : FaultList {
     if (!was_given("examples")) {
       add(member_path(step.path, "method"), "there are no examples for a style", "add examples:");
     }
-    for (const char* key : {"emotion", "paths", "gains", "signal", "acceleration",
-                            "acceleration_at", "limbs", "posture", "pose", "tempo", "gravity",
-                            "stiffness", "weight", "variation", "soft_limits"}) {
+    for (const char* key :
+         {"emotion", "paths", "gains", "signal", "acceleration", "acceleration_at", "limbs",
+          "posture", "pose", "tempo", "gravity", "stiffness", "weight", "variation", "soft_limits",
+          "drives", "keys", "constraints"}) {
       if (!was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, key), "a step with a method has no other changes",
           "make a list of two steps");
@@ -145,7 +147,9 @@ std::vector<Fault> check_modifications(const Manifest& manifest) {
     if (stimulus.foil) continue;
     for (const ModificationStep& step : stimulus.modify) checker.check_step(step);
   }
-  return checker.take();
+  std::vector<Fault> faults = checker.take();
+  for (Fault& fault : check_animation(manifest)) faults.push_back(std::move(fault));
+  return faults;
 }
 
 std::vector<Fault> check_modification_names(const Manifest& manifest,

@@ -97,6 +97,26 @@ void describe_steps(MethodsText& out) {
   }
 }
 
+void describe_animation(MethodsText& out) {
+  std::size_t keyed = 0, constrained = 0;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (stimulus.modify.empty()) continue;
+    keyed += stimulus.modify.back().keys.empty() ? 0 : 1;
+    constrained += stimulus.modify.back().constraints.empty() ? 0 : 1;
+  }
+  if (keyed > 0) {
+    out.say("In " + count_of(keyed, "stimulus", "stimuli") +
+            ", hands, feet, pelvis or gaze were placed at certain moments, by smooth displacement "
+            "of the motion" +
+            out.cite({"witkin1995", "bruderlin1995"}));
+  }
+  if (constrained > 0) {
+    out.say("In " + count_of(constrained, "stimulus", "stimuli") +
+            ", parts of the body fulfilled conditions between two moments" +
+            out.cite({"gleicher1998"}));
+  }
+}
+
 void describe_foils(MethodsText& out) {
   std::size_t foils = 0;
   Names aspects;
@@ -115,6 +135,7 @@ void describe_foils(MethodsText& out) {
 
 void describe_modifications(MethodsText& out) {
   describe_steps(out);
+  describe_animation(out);
   describe_foils(out);
 }
 

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "motion/animate/body_drive.h"
+#include "motion/animate/constraints.h"
+#include "motion/animate/keys.h"
 #include "motion/formats/motion_file.h"
 #include "motion/lint/lint.h"
 #include "motion/rig/recording_clip.h"
@@ -82,6 +85,19 @@ motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
   return motion::resampled(clip, frames_per_second);
 }
 
+/// The drives, keys and constraints of the last step, which come after everything else.
+void animate(ModifiedMotion& result, const ModificationStep& step) {
+  const auto take = [&](motion::AnimatedClip made) {
+    result.motion.clip = std::move(made.clip);
+    for (std::string& remark : made.remarks) result.notes.push_back(std::move(remark));
+  };
+  if (!step.drives.empty())
+    result.motion.clip = motion::with_drives(result.motion.clip, step.drives);
+  if (!step.keys.empty()) take(motion::with_keys(result.motion.clip, step.keys));
+  if (!step.constraints.empty())
+    take(motion::with_constraints(result.motion.clip, step.constraints));
+}
+
 /// Everything at a share of the requested strengths.
 ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
   ModifiedMotion result{original, share};
@@ -90,6 +106,7 @@ ModifiedMotion at_share(const motion::Example& original, const Steps& steps, dou
   }
   // Last, so that a change does the same whatever the rate at which it is shown.
   result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
+  if (share > 0.0 && !steps.stimulus.modify.empty()) animate(result, steps.stimulus.modify.back());
   result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
   return result;
 }
@@ -182,6 +199,18 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
   return result;
 }
 
+/// "1 drive, 3 keys, 1 constraint"; empty for none.
+std::string described_animation(const ModificationStep& step) {
+  std::vector<std::string> parts;
+  const auto count = [&](std::size_t number, const char* one, const char* several) {
+    if (number > 0) parts.push_back(fmt::format("{} {}", number, number == 1 ? one : several));
+  };
+  count(step.drives.size(), "drive", "drives");
+  count(step.keys.size(), "key", "keys");
+  count(step.constraints.size(), "constraint", "constraints");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void append(std::vector<std::string>& parts, const std::string& name,
             const std::optional<double>& value, const char* unit = "") {
   if (value) parts.push_back(fmt::format("{} {}{}", name, shortest(*value), unit));
@@ -258,8 +287,10 @@ std::string described(const ModificationStep& step) {
   if (edit.names("weight")) append(parts, "weight", edit.values.weight);
   if (edit.names("variation")) append(parts, "variation", edit.values.variation);
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
-  if (text.empty()) text = "nothing";
-  return step.strength == 1.0 ? text : fmt::format("{} × {}", text, shortest(step.strength));
+  const std::string animated = described_animation(step);
+  if (text.empty()) return animated.empty() ? "nothing" : animated;
+  if (step.strength != 1.0) text = fmt::format("{} × {}", text, shortest(step.strength));
+  return animated.empty() ? text : text + ", " + animated;
 }
 
 std::string share_text(double share) {

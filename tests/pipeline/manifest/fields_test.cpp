@@ -90,6 +90,9 @@ TEST(Fields, HaveTheDefaultsThatTheSchemaStates) {
   expect_defaults<motion::Modification>("stimuli[].modify");
   expect_defaults<motion::PathGains>("stimuli[].modify.gains");
   expect_defaults<StyleStep>("stimuli[].modify");
+  expect_defaults<motion::DriveEditing>("stimuli[].modify.drives[]");
+  expect_defaults<motion::AnimatorKey>("stimuli[].modify.keys[]");
+  expect_defaults<motion::MotionConstraint>("stimuli[].modify.constraints[]");
   expect_defaults<Stimulus>("stimuli[]");
   expect_defaults<Overlay>("overlays[]");
   expect_defaults<Sheet>("sheets[]");

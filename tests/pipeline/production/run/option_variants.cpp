@@ -78,6 +78,31 @@ constexpr char with_matching[] =
     R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
 
 const Surroundings surroundings[] = {
+    {"modify.drives[].limb", "{}", R"({"body": "right-foot-forward", "scale": 2})"},
+    {"modify.drives[].body", "{}", R"({"limb": "left-hand-forward", "scale": 2})"},
+    {"modify.drives[].", "{}", R"({"limb": "left-hand-forward", "body": "right-foot-forward"})"},
+    {"modify.keys[].at", "{}", R"({"left-hand": [0.3, 1.2, 0.3]})"},
+    {"modify.keys[].relative", "{}", R"({"at": 0.2, "left-hand": [0.3, 1.2, 0.3]})"},
+    {"modify.keys[].reach", "{}", R"({"at": 0.2, "left-hand": [0.3, 1.2, 0.3]})"},
+    {"modify.keys[].", "{}", R"({"at": 0.2})"},
+    {"modify.constraints[].part", "{}",
+     R"({"place": [0.1, 1.2, 0.3], "from": 0.2, "to": 0.5, "reach": 0.2})"},
+    {"modify.constraints[].relative", "{}",
+     R"({"part": "left-hand", "place": [0.3, 1.2, 0.3], "from": 0.2, "to": 0.5})"},
+    {"modify.constraints[].from", "{}",
+     R"({"part": "left-hand", "place": [0.3, 1.2, 0.3], "to": 0.6})"},
+    {"modify.constraints[].to", "{}",
+     R"({"part": "left-hand", "place": [0.3, 1.2, 0.3], "from": 0.2})"},
+    {"modify.constraints[].reach", "{}",
+     R"({"part": "left-hand", "place": [0.3, 1.2, 0.3], "from": 0.4, "to": 0.5})"},
+    {"modify.constraints[].stays", "{}", R"({"part": "left-hand", "from": 0.2, "to": 0.6})"},
+    {"modify.constraints[].follows[].at", "{}", "{}"},
+    {"modify.constraints[].angle", "{}", R"({"at_least": 30})"},
+    {"modify.constraints[].distance_to", "{}", R"({"part": "left-hand", "at_most": 0.2})"},
+    {"modify.constraints[].at_", "{}", R"({"part": "left-hand", "distance_to": "right-hand"})"},
+    {"modify.constraints[].look_at", "{}", "{}"},
+    {"modify.constraints[].within.", "{}", "{}"},
+    {"modify.constraints[].", "{}", R"({"part": "left-hand"})"},
     {"matching.demographics[].", with_matching,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"matching", with_matching, "{}"},
@@ -220,6 +245,38 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"modify.drives",
+     R"([[{"limb": "left-hand-forward", "body": "right-foot-forward", "scale": 2}], [{"limb": "left-hand-forward", "body": "right-foot-forward", "scale": 3}]])"},
+    {"modify.drives[].scale", "[0.5, 2]"},
+    {"modify.drives[].shift", "[0.05, 0.1]"},
+    {"modify.keys", R"([[{"at": 0.2, "left-hand": [0.3, 1.2, 0.3]}],
+                        [{"at": 0.4, "left-hand": [0.3, 1.2, 0.3]}]])"},
+    {"modify.keys[].at", R"([0.2, "frame 3"])"},
+    {"modify.keys[].reach", "[0.2, 0.4]"},
+    {"modify.keys[].left-foot", "[[0.1, 0.1, 0], [0.1, 0.05, 0]]"},
+    {"modify.keys[].right-foot", "[[-0.1, 0.1, 0], [-0.1, 0.05, 0]]"},
+    {"modify.keys[].pelvis", "[[0, 0.88, 0], [0, 0.85, 0]]"},
+    {"modify.keys[].", "[[0.1, 1.2, 0.3], [0, 1.3, 0.4]]"},
+    {"modify.constraints",
+     R"([[{"part": "left-hand", "place": [0.3, 1.2, 0.3]}], [{"part": "left-hand", "place": [0.3, 1, 0.3]}]])"},
+    {"modify.constraints[].part", R"(["left-hand", "right-hand"])"},
+    {"modify.constraints[].from", R"([0.2, "frame 2"])"},
+    {"modify.constraints[].to", R"([0.4, "frame 3"])"},
+    {"modify.constraints[].reach", "[0.05, 0.2]"},
+    {"modify.constraints[].follows",
+     R"([[{"at": 0.2, "place": [0.3, 1, 0.3]}, {"at": 0.5, "place": [0.3, 1.2, 0.3]}],
+         [{"at": 0.2, "place": [0.3, 1.1, 0.3]}, {"at": 0.5, "place": [0.3, 1.2, 0.3]}]])"},
+    {"modify.constraints[].follows[].at", "[0.1, 0.3]"},
+    {"modify.constraints[].follows[].place", "[[0.3, 1.1, 0.3], [0.3, 1.2, 0.3]]"},
+    {"modify.constraints[].within", R"([{"y": [1, 1.2]}, {"y": [1.1, 1.3]}])"},
+    {"modify.constraints[].within.x", "[[0.3, 0.4], [0.4, 0.5]]"},
+    {"modify.constraints[].within.y", "[[1, 1.1], [1.1, 1.2]]"},
+    {"modify.constraints[].within.z", "[[0.2, 0.3], [0.3, 0.4]]"},
+    {"modify.constraints[].distance_to", R"(["right-hand", "pelvis"])"},
+    {"modify.constraints[].at_least", "[0.8, 0.9]"},
+    {"modify.constraints[].at_most", "[0.2, 0.3]"},
+    {"modify.constraints[].angle", R"(["left-elbow-flexion", "right-elbow-flexion"])"},
+    {"modify.constraints[].", "[[0.3, 1.2, 0.3], [0.3, 1, 0.3]]"},
     // The first figure of a file, by number and by the name of its root.
     {"clip.subject", R"(["1", "Pelvis"])"},
     {"set.subject", R"(["1", "Pelvis"])"},
@@ -534,6 +591,10 @@ void add_around(json& manifest, const std::string& path) {
     const std::string list = path.substr(0, path.find("[]", path.find("camera.path")));
     parent_of(manifest, steps_of(list))["path"] = parsed(
         R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
+  }
+  if (path.find("follows[].") != std::string::npos) {
+    manifest["stimuli"][0]["modify"]["constraints"] = parsed(
+        R"([{"part": "left-hand", "follows": [{"at": 0.2, "place": [0.3, 1, 0.3]}, {"at": 0.5, "place": [0.3, 1.2, 0.3]}]}])");
   }
   if (path.find("modify.pose.") != std::string::npos) {
     const json file = {{"motion", "one/sad.bvh"}};

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace mien::motion {
+
+/// A time in a motion: seconds since its beginning, or a frame counted from 0.
+struct Moment {
+  double value = 0.0;
+  bool is_frame = false;
+
+  double seconds(double frames_per_second) const {
+    return is_frame ? value / frames_per_second : value;
+  }
+
+  friend bool operator==(const Moment&, const Moment&) = default;
+};
+
+}  // namespace mien::motion

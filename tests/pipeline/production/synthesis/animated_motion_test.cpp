@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "motion/examples/settled_feet.h"
+#include "motion/procedural/builtin_sets.h"
+#include "pipeline/production/synthesis/modified_motion.h"
+
+namespace mien::pipeline {
+namespace {
+
+using motion::BodyEnd;
+
+motion::Example settled_walk() {
+  motion::Example made = motion::builtin_examples("walks-10").examples.front();
+  made.clip = motion::with_settled_feet(made.clip);
+  return made;
+}
+
+/// Bends the head by some degrees, and then raises the left hand.
+Stimulus animated(double bend, double rate) {
+  Stimulus stimulus;
+  stimulus.id = "s";
+  stimulus.output.fps = rate;
+  ModificationStep step;
+  step.edit.values.posture = {{motion::PostureUnit::head_flexion, bend}};
+  step.modification = with_edit({}, step.edit);
+  motion::AnimatorKey key;
+  key.at = {0.4};
+  key.places[static_cast<std::size_t>(BodyEnd::left_hand)] = motion::Vec3(0.3, 1.3, 0.3);
+  step.keys = {key};
+  stimulus.modify = {step};
+  return stimulus;
+}
+
+motion::Vec3 hand_at(const motion::Clip& clip, double seconds) {
+  const motion::Pose pose = motion::pose_at(clip, seconds);
+  return body_frame(pose).from_room(
+      place_of(clip.body, world_transforms(clip.body, pose), BodyEnd::left_hand));
+}
+
+TEST(AnimatedMotion, HasItsKeysAfterEverythingElseAtEveryStrengthAndRate) {
+  const motion::Example walk = settled_walk();
+  for (const double rate : {25.0, 50.0}) {
+    for (const double strength : {0.0, 0.5, 1.0}) {
+      Stimulus stimulus = animated(10.0, rate);
+      stimulus.modify[0].strength = strength;
+      const ModifiedMotion made = modify_motion(walk, stimulus, {});
+      EXPECT_LT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 1e-6);
+      EXPECT_EQ(made.notes.back(), "1 of 1 keys are held");
+    }
+  }
+  EXPECT_EQ(described_modifications(animated(10.0, 30.0)), "head-flexion 10°, 1 key");
+}
+
+TEST(AnimatedMotion, CountsFramesOfTheOutput) {
+  Stimulus stimulus = animated(0.0, 50.0);
+  stimulus.modify[0].keys[0].at = {20.0, true};
+  const ModifiedMotion made = modify_motion(settled_walk(), stimulus, {});
+  EXPECT_LT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 1e-6);
+}
+
+TEST(AnimatedMotion, IsRevertedTogetherWithAFaultyModification) {
+  Stimulus stimulus = animated(85.0, 30.0);
+  stimulus.on_fault = OnFault::revert;
+  const ModifiedMotion made = modify_motion(settled_walk(), stimulus, {});
+  EXPECT_EQ(made.share, 0.0);
+  EXPECT_GT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 0.1);
+}
+
+TEST(AnimatedMotion, EditsDrivesBeforeKeys) {
+  Stimulus stimulus = animated(0.0, 30.0);
+  stimulus.modify[0].drives = {
+      {motion::LimbMovement::left_hand_side, motion::BodyMovement::pelvis_side, 1.0, 0.05}};
+  const motion::Example walk = settled_walk();
+  const ModifiedMotion made = modify_motion(walk, stimulus, {});
+  EXPECT_LT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 1e-6);
+  stimulus.modify[0].keys.clear();
+  const ModifiedMotion wide = modify_motion(walk, stimulus, {});
+  EXPECT_NEAR(hand_at(wide.motion.clip, 0.9).x() - hand_at(walk.clip, 0.9).x(), 0.05, 0.005);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
