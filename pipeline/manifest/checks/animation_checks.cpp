@@ -88,6 +88,7 @@ class AnimationChecker : public FaultList {
         add(member_path(path, "part"), "only the head looks at a place", "omit it");
       return;
     }
+    if (!one.part && was_given(member_path(path, "part"))) return;
     if (!one.part)
       return add(path, "does not say for which part of the body it is",
                  "add part:, such as part: right-hand");

@@ -77,7 +77,7 @@ TEST(AnimationChecks, RefuseWhatCannotBeMeant) {
       {"{keys: [{at: -1, left-hand: [0, 1, 0]}]}", "keys[0].at: -1 is out of range"},
       {"{keys: [{at: 1, left-hand: [0, 1]}]}", "left-hand: has 2 elements but must have 3"},
       {"{keys: [{left-hand: [0, 1, 0]}]}", "keys[0].at: missing"},
-      {"{keys: [{at: 1, lefthand: [0, 1, 0]}]}", "did you mean \"left-hand\""},
+      {"{keys: [{at: 1, pelvis: [0, 1, 0], lefthand: [0, 1, 0]}]}", "did you mean \"left-hand\""},
       {"{keys: [{at: 1, reach: 0.5}]}",
        "m.yaml:7:19: stimuli[0].modify.keys[0]: places nothing; add a part of the body, such as "
        "right-hand: [-0.3, 1.4, 0.4]\n"},
