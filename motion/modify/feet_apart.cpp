@@ -1,6 +1,7 @@
 #include "motion/modify/feet_apart.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "motion/gait/foot_path.h"
 #include "motion/math/rotation.h"
@@ -19,7 +20,7 @@ struct Step {
 };
 
 /// All plants by time; of a loop those of the next cycle too, so that each has its neighbours.
-std::vector<Step> steps_of(const Clip& clip, const std::vector<FootPlant>& plants) {
+std::vector<Step> steps_of(const Clip& clip, std::span<const FootPlant> plants) {
   std::vector<Step> steps;
   for (const bool left : {true, false}) {
     const FootPath path = foot_path(clip, left);
@@ -43,9 +44,9 @@ std::vector<Step> steps_of(const Clip& clip, const std::vector<FootPlant>& plant
   return steps;
 }
 
-/// Width of a stance: the mean while both feet stand.
-std::optional<double> standing_width(const Clip& clip, const std::vector<Step>& steps) {
-  std::optional<double> least;
+/// Widths of the stances: means while both feet stand.
+std::vector<double> stance_widths(const Clip& clip, const std::vector<Step>& steps) {
+  std::vector<double> widths;
   for (const Step& a : steps) {
     for (const Step& b : steps) {
       if (!a.plant.left || b.plant.left) continue;
@@ -58,10 +59,26 @@ std::optional<double> standing_width(const Clip& clip, const std::vector<Step>& 
         const Vec3 to_left = heading(pelvis * Vec3::UnitZ()) * Vec3::UnitX();
         width += (a.ankle - b.ankle).dot(to_left) / (last - first + 1);
       }
-      least = std::min(least.value_or(width), width);
+      widths.push_back(width);
     }
   }
-  return least;
+  return widths;
+}
+
+/// Widths of all steps or, if there are none, of the stances.
+std::vector<double> step_widths(const Clip& clip, std::span<const FootPlant> plants) {
+  const std::vector<Step> steps = steps_of(clip, plants);
+  std::vector<double> widths;
+  for (size_t i = 1; i + 1 < steps.size(); ++i) {
+    const Step &before = steps[i - 1], &here = steps[i], &after = steps[i + 1];
+    if (before.plant.left == here.plant.left || after.plant.left == here.plant.left) continue;
+    const Vec3 stride = horizontal(after.ankle - before.ankle);
+    if (stride.norm() < least_stride) continue;
+    const Vec3 to_left = Vec3::UnitY().cross(stride.normalized());
+    const double offset = (here.ankle - before.ankle).dot(to_left);
+    widths.push_back(here.plant.left ? offset : -offset);
+  }
+  return widths.empty() ? stance_widths(clip, steps) : widths;
 }
 
 bool turns_thighs_inwards(const PostureChange& change) {
@@ -70,20 +87,16 @@ bool turns_thighs_inwards(const PostureChange& change) {
 
 }  // namespace
 
-std::optional<double> least_step_width(const Clip& clip, const std::vector<FootPlant>& plants) {
-  const std::vector<Step> steps = steps_of(clip, plants);
-  std::optional<double> least;
-  for (size_t i = 1; i + 1 < steps.size(); ++i) {
-    const Step &before = steps[i - 1], &here = steps[i], &after = steps[i + 1];
-    if (before.plant.left == here.plant.left || after.plant.left == here.plant.left) continue;
-    const Vec3 stride = horizontal(after.ankle - before.ankle);
-    if (stride.norm() < least_stride) continue;
-    const Vec3 to_left = Vec3::UnitY().cross(stride.normalized());
-    const double offset = (here.ankle - before.ankle).dot(to_left);
-    const double width = here.plant.left ? offset : -offset;
-    least = std::min(least.value_or(width), width);
-  }
-  return least ? least : standing_width(clip, steps);
+std::optional<double> least_step_width(const Clip& clip, std::span<const FootPlant> plants) {
+  const std::vector<double> widths = step_widths(clip, plants);
+  if (widths.empty()) return std::nullopt;
+  return *std::min_element(widths.begin(), widths.end());
+}
+
+std::optional<double> mean_step_width(const Clip& clip, std::span<const FootPlant> plants) {
+  const std::vector<double> widths = step_widths(clip, plants);
+  if (widths.empty()) return std::nullopt;
+  return std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size());
 }
 
 double foot_width(const Skeleton& body) { return width_of_foot * relative_stature(body); }

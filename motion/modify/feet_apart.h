@@ -1,7 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "motion/gait/foot_plant.h"
 #include "motion/modify/modification.h"
@@ -12,7 +12,10 @@ namespace mien::motion {
 /// other foot's previous and next plant; negative if the foot crosses that line. If the motion has
 /// no steps, the lateral distance of the ankles while both feet stand; empty if they never do.
 /// Ankle positions are means over a plant.
-std::optional<double> least_step_width(const Clip& clip, const std::vector<FootPlant>& plants);
+std::optional<double> least_step_width(const Clip& clip, std::span<const FootPlant> plants);
+
+/// As least_step_width, the mean over all steps or stances.
+std::optional<double> mean_step_width(const Clip& clip, std::span<const FootPlant> plants);
 
 /// Width of a foot, metres: 0.09 at a stature of 1.75 m, the same as in the lint (support.h).
 double foot_width(const Skeleton& body);

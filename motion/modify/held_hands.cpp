@@ -5,8 +5,8 @@
 
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
+#include "motion/modify/arm_reach.h"
 #include "motion/skeleton/pose.h"
-#include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {
 
@@ -15,33 +15,6 @@ namespace {
 constexpr double fading_seconds = 0.2;             // of small corrections
 constexpr double more_fading_seconds_per_m = 2.0;  // of larger ones, which would hurry
 constexpr double least_correction = 1e-4;          // metres
-constexpr double longest_reach = 0.98;             // of the arm's length
-
-struct Arm {
-  BodyJoint clavicle, shoulder, elbow, wrist;
-};
-
-constexpr Arm left_arm{LeftClavicle, LeftShoulder, LeftElbow, LeftWrist};
-constexpr Arm right_arm{RightClavicle, RightShoulder, RightElbow, RightWrist};
-
-/// The pose with its wrist moved.
-Pose reaching(const Skeleton& body, const Pose& pose, const Arm& arm, const Vec3& shift) {
-  const JointTransforms world = world_transforms(body, pose);
-  const TwoBoneLimb limb = {world.positions[arm.shoulder], world.positions[arm.elbow],
-                            world.positions[arm.wrist]};
-  const Vec3 line = (limb.end - limb.root).normalized();
-  Vec3 bend = limb.middle - limb.root;
-  bend -= bend.dot(line) * line;
-  const Vec3 hint = bend.norm() > 1e-6 ? Vec3(bend.normalized()) : Vec3(0.0, -1.0, 0.0);
-  const TwoBoneSolution solved = solve_two_bone(limb, limb.end + shift, hint, longest_reach);
-  const Quat upper = solved.upper_turn * world.rotations[arm.shoulder];
-  const Quat lower = solved.lower_turn * world.rotations[arm.elbow];
-  Pose result = pose;
-  result.rotations[arm.shoulder] = (world.rotations[arm.clavicle].conjugate() * upper).normalized();
-  result.rotations[arm.elbow] = (upper.conjugate() * lower).normalized();
-  result.rotations[arm.wrist] = (lower.conjugate() * world.rotations[arm.wrist]).normalized();
-  return result;
-}
 
 /// A hit's correction, and over how many frames it fades.
 struct Correction {
@@ -98,7 +71,7 @@ HeldHands with_held_hands(const Clip& clip, const Clip& reference, const std::ve
                           bool travels) {
   HeldHands result{clip, 0.0};
   for (const bool left : {true, false}) {
-    const Arm& arm = left ? left_arm : right_arm;
+    const Arm arm = arm_of(left);
     std::vector<HandHit> own = hits;
     std::erase_if(own, [&](const HandHit& hit) { return hit.left != left; });
     const std::vector<Correction> made = corrections(clip, reference, arm, own, travels);
@@ -108,7 +81,7 @@ HeldHands with_held_hands(const Clip& clip, const Clip& reference, const std::ve
       const Vec3 shift = shift_at(made, f, clip.frame_count(), clip.loops);
       if (shift.norm() < least_correction) continue;
       Pose& pose = result.clip.poses[static_cast<std::size_t>(f)];
-      pose = reaching(clip.body, pose, arm, shift);
+      pose = with_wrist_moved(clip.body, pose, left, shift);
     }
   }
   return result;

@@ -94,6 +94,13 @@ std::string unplanted_feet() {
   return text;
 }
 
+/// The modification with what its relative changes ask of the posture, in degrees.
+Modification in_degrees(Modification m, const Clip& clip, const std::vector<FootPlant>& contacts) {
+  const std::vector<PostureChange> posture = posture_of(m.relative, clip, contacts);
+  m.posture.insert(m.posture.end(), posture.begin(), posture.end());
+  return m;
+}
+
 /// The hits that keep their places: those of hands whose timing changes at hits at most. With other
 /// changes of timing, a hand would be at the place of a hit a second time.
 std::vector<HandHit> held_hits(std::vector<HandHit> hits, const Modification& m) {
@@ -232,8 +239,9 @@ bool is_identity(const Modification& m) {
       std::all_of(m.posture.begin(), m.posture.end(),
                   [](const PostureChange& change) { return change.degrees == 0.0; }) &&
       (!m.pose_difference || turns_nothing(*m.pose_difference));
-  return paths_stay && posture_stays && m.acceleration == 0.0 && is_unit(m.tempo) &&
-         is_unit(m.stiffness) && m.weight == 1.0 && m.variation == 0.0;
+  return paths_stay && posture_stays && is_identity(m.gesture) && is_identity(m.relative) &&
+         m.acceleration == 0.0 && is_unit(m.tempo) && is_unit(m.stiffness) && m.weight == 1.0 &&
+         m.variation == 0.0;
 }
 
 Modification scaled(const Modification& modification, double strength) {
@@ -251,6 +259,8 @@ Modification scaled(const Modification& modification, double strength) {
   if (m.pose_difference) {
     for (Quat& turn : m.pose_difference->turns) turn = exp(strength * log(turn));
   }
+  m.gesture = scaled(m.gesture, strength);
+  m.relative = scaled(m.relative, strength);
   m.tempo = scaled(m.tempo, strength);
   m.stiffness = scaled(m.stiffness, strength);
   m.weight = std::clamp(towards_one(m.weight, strength), 0.0, heaviest);
@@ -275,6 +285,8 @@ void check(const Modification& m) {
   for (const PostureChange& change : m.posture) {
     check_range(std::string(name_of(change.unit)).c_str(), change.degrees, -180.0, 180.0);
   }
+  check(m.gesture);
+  check(m.relative);
   if (!m.gains) return;
   check_range("gains.low", m.gains->low, 0.0, 100.0);
   check_range("gains.middle", m.gains->middle, 0.0, 100.0);
@@ -282,29 +294,49 @@ void check(const Modification& m) {
   for (const double gain : m.gains->bands) check_range("gains.bands", gain, 0.0, 100.0);
 }
 
-ModifiedClip modify(const Clip& clip, const Modification& m) {
-  check(m);
+namespace {
+
+/// The gesture first, then everything else.
+ModifiedClip modify_with_gesture(const Clip& clip, Modification asked) {
+  ChangedGesture made = with_gesture(clip, asked.gesture);
+  asked.gesture = {};
+  ModifiedClip result = modify(made.clip, asked);
+  result.report.gesture_frames = std::move(made.frames);
+  result.report.remarks.insert(result.report.remarks.begin(), made.remarks.begin(),
+                               made.remarks.end());
+  return result;
+}
+
+}  // namespace
+
+ModifiedClip modify(const Clip& clip, const Modification& asked) {
+  check(asked);
   if (!is_body(clip.body)) {
     throw Error("\"" + clip.name + "\" does not move the canonical body",
                 "map its recording to the canonical body first");
   }
   ModifiedClip result{clip, {}};
-  if (is_identity(m) || clip.frame_count() < 2) return result;
+  if (is_identity(asked) || clip.frame_count() < 2) return result;
+  if (!is_identity(asked.gesture)) return modify_with_gesture(clip, asked);
   ModificationReport& report = result.report;
 
   const Clip original = made_travelling(clip);
   const bool at_contacts =
-      m.acceleration > 0.0 && m.acceleration_place == AccelerationPlace::contacts;
-  const bool in_gravity = m.gravity == TempoGravity::kept && !is_unit(m.tempo);
-  const bool on_slack_legs = m.stiffness.legs < 1.0 || m.weight != 1.0;
-  const std::vector<FootPlant> contacts = contacts_of(
-      original, m, at_contacts || in_gravity || on_slack_legs, in_gravity || on_slack_legs);
+      asked.acceleration > 0.0 && asked.acceleration_place == AccelerationPlace::contacts;
+  const bool in_gravity = asked.gravity == TempoGravity::kept && !is_unit(asked.tempo);
+  const bool on_slack_legs = asked.stiffness.legs < 1.0 || asked.weight != 1.0;
+  const bool needed =
+      at_contacts || in_gravity || on_slack_legs || asked.relative.step_width != 1.0;
+  const std::vector<FootPlant> contacts =
+      contacts_of(original, asked, needed, in_gravity || on_slack_legs);
+  const Modification m = in_degrees(asked, original, contacts);
   const std::vector<FootPlant> plants =
       m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;
   const std::vector<HandHit> hits =
       m.repair == FootRepair::plants || at_contacts ? hand_hits(original) : std::vector<HandHit>{};
   const Clip moved =
-      with_variation(grid_motion(original, contacts, m, hits), m.variation, m.limbs, m.seed);
+      with_variation(grid_motion(with_swing(original, m.relative), contacts, m, hits), m.variation,
+                     m.limbs, m.seed);
 
   const Carriage carriage =
       in_gravity || on_slack_legs

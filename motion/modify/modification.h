@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "motion/modify/gesture_change.h"
 #include "motion/modify/limb_dynamics.h"
 #include "motion/modify/posture.h"
+#include "motion/modify/relative_change.h"
 #include "motion/modify/retiming.h"
 #include "motion/modify/tempo_curve.h"
 #include "motion/skeleton/clip.h"
@@ -74,7 +76,9 @@ struct Modification {
   Limbs limbs;  ///< to which acceleration and variation apply
   std::vector<PostureChange> posture;
   std::optional<PoseDifference> pose_difference;
-  Tempo tempo;  ///< overall speed factor, 0.25–4, or a curve of factors
+  GestureChange gesture;    ///< of a hand that waves, knocks or the like; made first
+  RelativeChange relative;  ///< in the actor's own terms, worked out from the motion modified
+  Tempo tempo;              ///< overall speed factor, 0.25–4, or a curve of factors
   TempoGravity gravity = TempoGravity::scaled;
   Stiffness stiffness;     ///< below 1 slack, above 1 held (limb_dynamics.h)
   double weight = 1.0;     ///< factor on gravity, 0–3, that muscles must hold
@@ -95,7 +99,10 @@ struct ModificationReport {
   double hand_correction = 0.0;  ///< metres: largest distance by which a hit was moved back
   double travel_ratio = 1.0;     ///< distance travelled relative to the original; 1 without travel
   double largest_limit_excess = 0.0;  ///< radians: largest correction of a joint by its soft limit
-  std::vector<std::string> remarks;   ///< sentences
+  /// If the gesture changed: the frame (fractional) to which each frame of the original came by
+  /// that, before the tempo.
+  std::vector<double> gesture_frames;
+  std::vector<std::string> remarks;  ///< sentences
 };
 
 struct ModifiedClip {
@@ -114,15 +121,16 @@ Modification scaled(const Modification& modification, double strength);
 /// Throws mien::Error for a number outside its range.
 void check(const Modification& modification);
 
-/// The modified clip of the canonical body. Steps in the order of the emotion thesis: path lengths,
-/// hip shift, limb timing, and bilinear interpolation on the grid of nine motions (nine_grid.h);
-/// then variation, tempo, posture, slack and held parts, joint limits, foot repair, and heights in
-/// the same gravity and on slack legs; with foot repair by plants, hands
-/// that hit something still do so at the same places (held_hands.h), unless variation or
-/// acceleration elsewhere changes their timing. Hips are adducted less than
-/// requested if steps would otherwise become narrower than a foot and than in the original
-/// (feet_apart.h). Bone lengths never change; a loop stays a loop. Clips may walk in place. Throws
-/// mien::Error as `check` does, and for a skeleton other than the canonical body.
+/// The modified clip of the canonical body. Relative changes are worked out from the clip first:
+/// its swing is multiplied, and what they ask of its posture is added (relative_change.h). Then, in
+/// the order of the emotion thesis: path lengths, hip shift, limb timing, and bilinear
+/// interpolation on the grid of nine motions (nine_grid.h); then variation, tempo, posture, slack
+/// and held parts, joint limits, foot repair, and heights in the same gravity and on slack legs;
+/// with foot repair by plants, hands that hit something still do so at the same places
+/// (held_hands.h), unless variation or acceleration elsewhere changes their timing. Hips are
+/// adducted less than requested if steps would otherwise become narrower than a foot and than in
+/// the original (feet_apart.h). Bone lengths never change; a loop stays a loop. Clips may walk in
+/// place. Throws mien::Error as `check` does, and for a skeleton other than the canonical body.
 ModifiedClip modify(const Clip& clip, const Modification& modification);
 
 /// Like `modify`, without the report.

@@ -5,6 +5,7 @@
 
 #include "motion/math/pyramid.h"
 #include "motion/modify/joint_curve.h"
+#include "motion/modify/turn_curve.h"
 
 namespace mien::motion {
 
@@ -59,38 +60,13 @@ struct BandFilter : BandWeights {
   }
 };
 
-Quat mean_rotation(const Clip& clip, size_t joint) {
-  Quat mean = clip.poses[clip.poses.size() / 2].rotations[joint];
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    Vec3 step = Vec3::Zero();
-    for (const Pose& pose : clip.poses) step += log(mean.conjugate() * pose.rotations[joint]);
-    mean = (mean * exp(step / clip.frame_count())).normalized();
-  }
-  return mean;
-}
-
-/// The rotation vector that means the same turn as `turn` and lies nearest to `previous`.
-Vec3 unwound(const Vec3& turn, const Vec3& previous) {
-  const double angle = turn.norm();
-  if (angle < 1e-9) return turn;
-  const double rounds = std::round((previous.dot(turn) / angle - angle) / (2.0 * pi));
-  return turn * (1.0 + 2.0 * pi * rounds / angle);
-}
-
 void filter_logarithms(Clip& clip, int joint, const BandFilter& filter) {
-  const auto at = static_cast<size_t>(joint);
-  const Quat mean = mean_rotation(clip, at);
-  std::vector<Directions> curve(clip.poses.size(), Directions::Zero());
-  Vec3 previous = Vec3::Zero();
-  for (size_t f = 0; f < curve.size(); ++f) {
-    previous = unwound(log(mean.conjugate() * clip.poses[f].rotations[at]), previous);
-    curve[f].head<3>() = previous;
-  }
+  TurnCurve turns = turn_curve(clip, joint);
+  std::vector<Directions> curve(turns.turns.size(), Directions::Zero());
+  for (size_t f = 0; f < curve.size(); ++f) curve[f].head<3>() = turns.turns[f];
   curve = filter(curve);
-  for (size_t f = 0; f < curve.size(); ++f) {
-    clip.poses[f].rotations[at] = in_hemisphere_of(clip.poses[f].rotations[at],
-                                                   (mean * exp(curve[f].head<3>())).normalized());
-  }
+  for (size_t f = 0; f < curve.size(); ++f) turns.turns[f] = curve[f].head<3>();
+  set_rotations(clip, joint, turns);
 }
 
 }  // namespace

@@ -85,6 +85,13 @@ void check_streamable(const Modification& m) {
         "variation cannot be streamed: its curves span the whole motion",
         "omit the variation (--leave-out variation), or modify the whole motion after recording");
   }
+  if (!is_identity(m.relative) || !is_identity(m.gesture)) {
+    throw Error(
+        "changes in the actor's own terms (range, swing, sway, steps, gesture) cannot be streamed: "
+        "they are "
+        "worked out from the whole motion",
+        "omit them (--leave-out relative), or use the recipes builtin@0.2, which have none");
+  }
   if (m.acceleration != 0.0 && m.acceleration_place == AccelerationPlace::contacts) {
     throw Error(
         "acceleration at contacts cannot be streamed: contacts are detected in the whole motion",

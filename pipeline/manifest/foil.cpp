@@ -13,13 +13,16 @@ namespace {
 
 bool has(const ModificationStep& step, FoilAspect aspect) {
   const motion::Modification& values = step.modification;
+  const motion::RelativeChange& relative = values.relative;
   switch (aspect) {
     case FoilAspect::posture:
-      return !values.posture.empty() || step.pose.has_value();
+      return !values.posture.empty() || step.pose.has_value() || !relative.range.empty() ||
+             relative.step_width != 1.0;
     case FoilAspect::path_length:
-      return values.paths != 1.0 || values.gains.has_value();
+      return values.paths != 1.0 || values.gains.has_value() || motion::changes_swing(relative) ||
+             values.gesture.height != 1.0 || values.gesture.width != 1.0;
     case FoilAspect::speed:
-      return !motion::is_unit(values.tempo);
+      return !motion::is_unit(values.tempo) || values.gesture.speed != 1.0;
     case FoilAspect::acceleration:
       break;
   }
@@ -31,14 +34,18 @@ ModificationStep without(ModificationStep step, FoilAspect aspect) {
   switch (aspect) {
     case FoilAspect::posture:
       values.posture.clear();
+      values.relative.range.clear();
+      values.relative.step_width = 1.0;
       step.pose.reset();
       break;
     case FoilAspect::path_length:
       values.paths = 1.0;
       values.gains.reset();
+      values.relative = motion::without_swing(values.relative);
+      values.gesture.height = values.gesture.width = 1.0;
       break;
     case FoilAspect::speed:
-      values.tempo = 1.0;
+      values.tempo = values.gesture.speed = 1.0;
       break;
     case FoilAspect::acceleration:
       values.acceleration = 0.0;

@@ -13,6 +13,7 @@
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/animation.h"
 #include "pipeline/manifest/recording_choice.h"
+#include "pipeline/manifest/relative_fields.h"
 #include "pipeline/manifest/style_step.h"
 
 namespace mien::pipeline {
@@ -118,6 +119,8 @@ void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification
   field("acceleration_at", modification.acceleration_place, concerns::motion, acceleration_words);
   field.by("limbs", modification.limbs, concerns::motion, LimbsForm());
   field.by("posture", modification.posture, concerns::motion, PostureForm());
+  field.by("gesture", modification.gesture, concerns::motion, GestureForm());
+  relative_fields(field, modification.relative);
   field.by("tempo", modification.tempo, concerns::motion, TempoForm());
   field("gravity", modification.gravity, concerns::motion, gravity_words);
   field.by("stiffness", modification.stiffness, concerns::motion, StiffnessForm());

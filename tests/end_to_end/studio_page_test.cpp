@@ -235,7 +235,8 @@ TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
   EXPECT_EQ(seen.at("folder_faults"), json::array());
   // Every key of a modification that has no field of its own, but for those of older methods.
   for (const char* key :
-       {"gains", "signal", "acceleration_at", "limbs", "pose", "seed", "repair", "soft_limits"})
+       {"gains", "signal", "acceleration_at", "limbs", "pose", "seed", "repair", "soft_limits",
+        "step_width", "step_length", "sway", "arm_swing", "trunk_swing", "range", "gesture"})
     EXPECT_TRUE(std::ranges::count(seen.at("options"), json(key)) == 1) << key;
   EXPECT_EQ(seen.at("modify_faults"), json::array());
   EXPECT_EQ(seen.at("refusal"), json::array());

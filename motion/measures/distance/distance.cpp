@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "motion/math/rotation.h"
+#include "motion/measures/distance/hand_tip_distance.h"
+#include "motion/skeleton/hand_tip.h"
 
 namespace mien::motion {
 
@@ -103,6 +105,24 @@ Distance distance(const Example& target, const Example& created, Alignment align
     result.mpjpe += distances_at(share * target.clip.duration_seconds(), seconds).mean() / frames;
   }
   return result;
+}
+
+double distance_with_hand_tips(const Example& target, const Example& created, Alignment alignment) {
+  const std::vector<double> marks = shared_marks(target, created);
+  double sum = distance(target, created, alignment).sum;
+  for (int t = 0; t < distance_times; ++t) {
+    const double share = t / (distance_times - 1.0);
+    const Pose of_target =
+        aligned_pose_at(target.clip, marked_time(target, marks, share), alignment);
+    const Pose of_created =
+        aligned_pose_at(created.clip, marked_time(created, marks, share), alignment);
+    for (const bool left : {true, false}) {
+      sum += (hand_tip(target.clip.body, of_target, left) -
+              hand_tip(created.clip.body, of_created, left))
+                 .norm();
+    }
+  }
+  return sum / (distance_times * (distance_joints + 2));
 }
 
 std::array<double, distance_joints> Distance::by_joint() const {

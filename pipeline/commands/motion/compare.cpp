@@ -8,7 +8,7 @@
 #include "motion/examples/compared_example.h"
 #include "motion/examples/flight_examples.h"
 #include "motion/formats/motion_file.h"
-#include "motion/measures/distance/distance.h"
+#include "motion/measures/distance/hand_tip_distance.h"
 #include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
@@ -24,6 +24,7 @@ struct CompareOptions {
   RecordingArguments recording;
   std::string align = "pelvis";
   bool as_captured = false;
+  bool hand_tips = false;
   bool json = false;
 };
 
@@ -117,10 +118,16 @@ int compare(const CompareOptions& options, const Console& console) {
   const Basis basis{basis_of(target),           basis_of(created),
                     chosen_take(target_file),   chosen_take(created_file),
                     chosen_person(target_file), chosen_person(created_file)};
+  const double with_tips =
+      options.hand_tips ? motion::distance_with_hand_tips(target, created, alignment) : 0.0;
   if (options.json) {
-    console.out << as_json(distance, basis).dump(2) << '\n';
+    ordered_json json = as_json(distance, basis);
+    if (options.hand_tips) json["D_with_hand_tips"] = with_tips;
+    console.out << json.dump(2) << '\n';
   } else {
     show_text(distance, basis, console);
+    if (options.hand_tips)
+      console.out << fmt::format("D with the tips of both hands: {:.4f} m\n", with_tips);
   }
   return exit_done;
 }
@@ -143,6 +150,9 @@ Command motion_compare_command() {
               flag("--as-captured", &options->as_captured,
                    "Do not lock planted feet; by default those of both motions are locked to the "
                    "floor first, as in blends"),
+              flag("--hand-tips", &options->hand_tips,
+                   "Also give D over 22 points: the joints and the tips of both hands, which "
+                   "gestures move more than wrists"),
               flag("--json", &options->json, "As JSON")),
           .notes =
               "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "

@@ -47,6 +47,10 @@ void leave_out(motion::Modification& modification, const std::string& what) {
     modification.weight = unchanged.weight;
   }
   if (what == "variation") modification.variation = unchanged.variation;
+  if (what == "relative") {
+    modification.relative = unchanged.relative;
+    modification.gesture = unchanged.gesture;
+  }
   if (what == "acceleration") modification.acceleration = unchanged.acceleration;
   if (what == "paths") {
     modification.paths = unchanged.paths;
@@ -239,8 +243,9 @@ Command motion_stream_command() {
                .between(0.0, 10000.0),
            option("--leave-out", &options->leave_out,
                   "Parts of the change to leave out: tempo, variation, acceleration, paths, "
-                  "stiffness (with weight)")
-               .one_of({"tempo", "variation", "acceleration", "paths", "stiffness"}),
+                  "stiffness (with weight), relative (range, step_width, step_length, sway, "
+                  "arm_swing, trunk_swing, gesture)")
+               .one_of({"tempo", "variation", "acceleration", "paths", "stiffness", "relative"}),
            flag("--still-legs", &options->still_legs,
                 "Change the amplitude of movement (paths) of trunk, head and arms only, so that "
                 "feet do not slide"),
@@ -262,9 +267,9 @@ Command motion_stream_command() {
       .notes =
           "Frames are written as soon as they are available; a summary goes to standard error. "
           "Planted feet are\n"
-          "not locked, and tempo, variation, stiffness and weight cannot be "
-          "streamed.\n\nExamples:\n"
-          "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
+          "not locked, and tempo, variation, stiffness, weight and changes in the actor's own "
+          "terms cannot be\nstreamed.\n\nExamples:\n"
+          "  capture | mien motion stream - sad --recipes builtin@0.2 --leave-out tempo > sad.bvh\n"
           "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
           "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",
       .run = [options](const Console& console) { return stream_motion(*options, console); }};

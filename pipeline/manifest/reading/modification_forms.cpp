@@ -17,8 +17,9 @@ bool has(const json& list, const char* word) {
 }
 
 /// A unit of posture that is there already changes, others are added.
-void lay_over(std::vector<motion::PostureChange>& posture, const motion::PostureChange& change) {
-  const auto same = std::ranges::find(posture, change.unit, &motion::PostureChange::unit);
+template <class Change>
+void lay_over(std::vector<Change>& posture, const Change& change) {
+  const auto same = std::ranges::find(posture, change.unit, &Change::unit);
   if (same == posture.end()) {
     posture.push_back(change);
   } else {
@@ -79,7 +80,7 @@ void PostureForm::read(const DocumentValue& given, std::vector<motion::PostureCh
   for (const std::string& key : written_order(given.value, given.path, given.context.places)) {
     const auto unit = motion::posture_unit(key);
     if (unit && given.value[key].is_number())
-      lay_over(posture, {*unit, given.value[key].get<double>()});
+      lay_over(posture, motion::PostureChange{*unit, given.value[key].get<double>()});
   }
 }
 
@@ -89,6 +90,40 @@ OrderedJson PostureForm::write(const std::vector<motion::PostureChange>& posture
   OrderedJson map;
   for (const motion::PostureChange& change : posture)
     map[std::string(motion::name_of(change.unit))] = change.degrees;
+  return map;
+}
+
+void RangeForm::read(const DocumentValue& given, std::vector<motion::RangeShare>& range) {
+  if (!given.value.is_object()) return;
+  for (const std::string& key : written_order(given.value, given.path, given.context.places)) {
+    const auto unit = motion::posture_unit(key);
+    if (unit && given.value[key].is_number())
+      lay_over(range, motion::RangeShare{*unit, given.value[key].get<double>()});
+  }
+}
+
+OrderedJson RangeForm::write(const std::vector<motion::RangeShare>& range, const WritingOptions&) {
+  if (range.empty()) return {};
+  OrderedJson map;
+  for (const motion::RangeShare& each : range)
+    map[std::string(motion::name_of(each.unit))] = each.share;
+  return map;
+}
+
+void GestureForm::read(const DocumentValue& given, motion::GestureChange& gesture) {
+  if (!given.value.is_object()) return;
+  assign(member(given.value, "height"), gesture.height);
+  assign(member(given.value, "width"), gesture.width);
+  assign(member(given.value, "speed"), gesture.speed);
+  assign(member(given.value, "repetitions"), gesture.repetitions);
+}
+
+OrderedJson GestureForm::write(const motion::GestureChange& gesture, const WritingOptions&) {
+  OrderedJson map;
+  if (gesture.height != 1.0) map["height"] = gesture.height;
+  if (gesture.width != 1.0) map["width"] = gesture.width;
+  if (gesture.speed != 1.0) map["speed"] = gesture.speed;
+  if (gesture.repetitions != 0) map["repetitions"] = gesture.repetitions;
   return map;
 }
 
@@ -112,10 +147,12 @@ motion::Modification with_edit(motion::Modification modification, const Modifica
   const Places places;
   const ReadingContext context{places, [](const std::string& path) { return path; }};
   json named = named_map(edit, {});
-  named.erase("posture");  // whose order counts
+  for (const char* key : {"posture", "range"}) named.erase(key);  // whose order counts
   read({named, "", context}, modification);
   for (const motion::PostureChange& change : edit.values.posture)
     lay_over(modification.posture, change);
+  for (const motion::RangeShare& each : edit.values.relative.range)
+    lay_over(modification.relative.range, each);
   return modification;
 }
 

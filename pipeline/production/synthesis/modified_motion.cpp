@@ -60,14 +60,19 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
   }
   motion::ModifiedClip modified =
       motion::modify(result.motion.clip, motion::scaled(modification, share * step.strength));
-  const double before = result.motion.clip.duration_seconds();
+  // First the gesture has its own timing, then the tempo is that of everything.
+  const std::vector<double>& moved = modified.report.gesture_frames;
+  const double rate = result.motion.clip.frames_per_second;
+  const double before = moved.empty() ? result.motion.clip.duration_seconds() : moved.back() / rate;
   result.motion.clip = std::move(modified.clip);
   const double now = result.motion.clip.duration_seconds();
   const motion::Retiming& retiming = modified.report.retiming;
   const bool is_even = retiming.is_even || retiming.sources.empty();
-  for (double& keytime : result.motion.keytimes)
+  for (double& keytime : result.motion.keytimes) {
+    if (!moved.empty()) keytime = motion::moved_by_gesture(moved, keytime * rate) / rate;
     keytime = is_even ? keytime * (now / before)
                       : now * motion::retimed_share(keytime / before, retiming);
+  }
   result.planted_drift_m = modified.report.drift_after_repair;
   for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
 }
@@ -271,6 +276,16 @@ std::string described(const ModificationStep& step) {
     append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");
   }
   if (edit.pose) parts.emplace_back("pose");
+  const motion::RelativeChange& relative = edit.values.relative;
+  if (edit.names("step_width")) append(parts, "step_width", relative.step_width);
+  if (edit.names("step_length")) append(parts, "step_length", relative.step_length);
+  if (edit.names("sway")) append(parts, "sway", relative.sway);
+  if (edit.names("arm_swing")) append(parts, "arm_swing", relative.arm_swing);
+  if (edit.names("trunk_swing")) append(parts, "trunk_swing", relative.trunk_swing);
+  if (edit.names("gesture")) parts.emplace_back("gesture");
+  for (const motion::RangeShare& each : relative.range) {
+    append(parts, std::string(motion::name_of(each.unit)), 100.0 * each.share, " % of its range");
+  }
   if (edit.names("tempo")) {
     const motion::Tempo& tempo = edit.values.tempo;
     if (tempo.curve.empty())
