@@ -14,7 +14,7 @@
 namespace mien::motion {
 namespace {
 
-Clip knocking() { return knock({}, 60.0, standard_body()).clip; }
+Clip neutral_knock() { return knock({}, 60.0, standard_body()).clip; }
 
 Gesture gesture_of(const Clip& clip) { return *acting_hand(clip); }
 
@@ -25,7 +25,7 @@ double highest(const Gesture& gesture) {
 }
 
 TEST(GestureChange, MultipliesTheHeightOfTheHand) {
-  const Clip clip = knocking();
+  const Clip clip = neutral_knock();
   for (const double factor : {0.6, 1.2}) {
     const Clip changed = with_gesture(clip, {.height = factor}).clip;
     EXPECT_NEAR(highest(gesture_of(changed)) / highest(gesture_of(clip)), factor, 0.03) << factor;
@@ -38,7 +38,7 @@ TEST(GestureChange, MultipliesTheHeightOfTheHand) {
 }
 
 TEST(GestureChange, ReachesNoFartherThanTheArm) {
-  const Clip clip = knocking();
+  const Clip clip = neutral_knock();
   const Clip high = with_gesture(clip, {.height = 2.0, .width = 1.5}).clip;
   for (const Pose& pose : high.poses) {
     const auto places = world_positions(high.body, pose);
@@ -55,7 +55,7 @@ TEST(GestureChange, ReachesNoFartherThanTheArm) {
 }
 
 TEST(GestureChange, AddsAndLeavesOutStrokes) {
-  const Clip clip = knocking();
+  const Clip clip = neutral_knock();
   const size_t own = gesture_of(clip).strokes.size();
   for (const int more : {-2, -1, 1, 3}) {
     const ChangedGesture changed = with_gesture(clip, {.repetitions = more});
@@ -68,7 +68,7 @@ TEST(GestureChange, AddsAndLeavesOutStrokes) {
 }
 
 TEST(GestureChange, IsFasterWhileTheHandIsRaisedOnly) {
-  const Clip clip = knocking();
+  const Clip clip = neutral_knock();
   const ChangedGesture fast = with_gesture(clip, {.speed = 2.0});
   const Gesture before = gesture_of(clip), after = gesture_of(fast.clip);
   const auto period = [](const Gesture& g) {

@@ -69,7 +69,7 @@ std::vector<Clip> synthetic_walks() {
 TEST(Modification, ByDefaultChangesNothing) {
   std::mt19937_64 random(2);
   const Clip clip = random_loop(random, 40).clip;
-  EXPECT_TRUE(is_identity({}));
+  EXPECT_TRUE(is_identity(Modification()));
   EXPECT_EQ(largest_distance(modified(clip, {}), clip), 0.0);
 }
 
