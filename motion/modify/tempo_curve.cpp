@@ -89,7 +89,7 @@ Tempo scaled(const Tempo& tempo, double strength) {
 TempoFault fault_of(const Tempo& tempo) {
   if (tempo.curve.empty()) {
     if (is_in_range(tempo.factor)) return {};
-    return {"tempo is " + plain(tempo.factor), "give a number from 0.25 to 4", -1};
+    return {"tempo is " + plain(tempo.factor), "give a number from 0.25 to 4", -1, true};
   }
   double before = -1.0;
   for (std::size_t i = 0; i < tempo.curve.size(); ++i) {
@@ -100,7 +100,8 @@ TempoFault fault_of(const Tempo& tempo) {
               "give a share of its duration, from 0 (beginning) to 1 (end)", index};
     }
     if (!is_in_range(point.factor)) {
-      return {"the speed factor is " + plain(point.factor), "give a number from 0.25 to 4", index};
+      return {"the speed factor is " + plain(point.factor), "give a number from 0.25 to 4", index,
+              true};
     }
     if (point.share <= before) {
       return {"the moment " + plain(point.share) + " does not follow " + plain(before),

@@ -37,12 +37,12 @@ double factor_at(const Tempo& tempo, double share, bool loops);
 /// The tempo at a strength: logarithms of its factors are multiplied, and kept in their range.
 Tempo scaled(const Tempo& tempo, double strength);
 
-/// What is wrong with the curve, and how to correct it; `point` is the index of the wrong point, −1
-/// for the whole curve. `wrong` is empty if nothing is.
+/// What is wrong with a tempo, and how to correct it; `wrong` is empty if nothing is.
 struct TempoFault {
   std::string wrong;
   std::string remedy;
-  int point = -1;
+  int point = -1;             ///< index of the wrong point; −1: the factor of the whole motion
+  bool is_of_factor = false;  ///< the point's factor is wrong, otherwise its moment
 };
 
 TempoFault fault_of(const Tempo& tempo);

@@ -100,6 +100,9 @@ struct TempoForm {
   static nlohmann::ordered_json write(const motion::Tempo& tempo, const WritingOptions&);
 };
 
+/// The path of what is wrong with the tempo at `path`: "modify.tempo[1][0]".
+std::string path_of(const motion::TempoFault& fault, const std::string& path);
+
 /// `stiffness: 0.4`, or by part: `stiffness: {arms: 0.3, head: 0.5}`; parts that are not named are
 /// as they are. Given in a manifest, it replaces the recipe's.
 struct StiffnessForm {
@@ -110,6 +113,9 @@ struct StiffnessForm {
       names.add(part);
   }
 };
+
+/// "arms 0.3, head 0.5", the parts whose stiffness is not 1.
+std::string text_of(const motion::Stiffness& stiffness);
 
 void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification) {
   field("paths", modification.paths, concerns::motion);

@@ -93,9 +93,7 @@ class StepChecker : FaultList {
   void check_tempo(const ModificationStep& step) {
     const motion::TempoFault fault = motion::fault_of(step.edit.values.tempo);
     if (fault.wrong.empty()) return;
-    const std::string path = member_path(step.path, "tempo");
-    add(fault.point < 0 ? path : element_path(path, static_cast<std::size_t>(fault.point)),
-        fault.wrong, fault.remedy);
+    add(path_of(fault, member_path(step.path, "tempo")), fault.wrong, fault.remedy);
   }
 
   void check_pose(const std::string& path, const PoseSource& pose) {

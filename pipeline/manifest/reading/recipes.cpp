@@ -41,9 +41,7 @@ std::vector<Fault> faults_of(const RecipeBook& book, const Places& places) {
     }
     if (const motion::TempoFault fault = motion::fault_of(recipe.edit.values.tempo);
         !fault.wrong.empty()) {
-      const std::string tempo = member_path(path, "tempo");
-      const std::string where =
-          fault.point < 0 ? tempo : element_path(tempo, static_cast<std::size_t>(fault.point));
+      const std::string where = path_of(fault, member_path(path, "tempo"));
       faults.push_back({place_of(places, where), where, fault.wrong, fault.remedy});
     }
     if (recipe.edit.names("paths") && recipe.edit.names("gains")) {

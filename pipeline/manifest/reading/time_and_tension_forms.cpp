@@ -25,6 +25,12 @@ void TempoForm::read(const DocumentValue& given, motion::Tempo& tempo) {
   }
 }
 
+std::string path_of(const motion::TempoFault& fault, const std::string& path) {
+  if (fault.point < 0) return path;
+  return element_path(element_path(path, static_cast<std::size_t>(fault.point)),
+                      fault.is_of_factor ? 1 : 0);
+}
+
 OrderedJson TempoForm::write(const motion::Tempo& tempo, const WritingOptions&) {
   if (tempo.curve.empty()) return tempo.factor;
   OrderedJson points = OrderedJson::array();
@@ -50,6 +56,7 @@ void StiffnessForm::read(const DocumentValue& given, motion::Stiffness& stiffnes
 }
 
 OrderedJson StiffnessForm::write(const motion::Stiffness& stiffness, const WritingOptions&) {
+  if (motion::is_unit(stiffness)) return 1.0;
   OrderedJson map = OrderedJson::object();
   const auto add = [&](const char* part, double value) {
     if (value != 1.0) map[part] = value;
@@ -64,6 +71,15 @@ OrderedJson StiffnessForm::write(const motion::Stiffness& stiffness, const Writi
   }
   add("legs", stiffness.legs);
   return map;
+}
+
+std::string text_of(const motion::Stiffness& stiffness) {
+  std::string text;
+  if (motion::is_unit(stiffness)) return text;
+  const OrderedJson parts = StiffnessForm::write(stiffness, {});
+  for (const auto& [part, value] : parts.items())
+    text += (text.empty() ? "" : ", ") + part + " " + value.dump();
+  return text;
 }
 
 }  // namespace mien::pipeline

@@ -138,6 +138,14 @@ OrderedJson joined_pairs(const OrderedJson& pairs) {
   return names;
 }
 
+/// Points of a curve as a list of names: "1.4 at 0.5".
+OrderedJson joined_points(const OrderedJson& points) {
+  OrderedJson names = OrderedJson::array();
+  for (const OrderedJson& point : points)
+    names.push_back(text_of(point[1]) + " at " + text_of(point[0]));
+  return names;
+}
+
 bool is_of_maps(const OrderedJson& value) {
   return value.is_array() &&
          std::ranges::any_of(value, [](const OrderedJson& one) { return one.is_structured(); });
@@ -154,6 +162,8 @@ void each_option(const std::string& path, const OrderedJson& value,
     }
   } else if (path.ends_with("markers.pairs")) {
     visit(path, joined_pairs(value));
+  } else if (path.ends_with("modify.tempo") && value.is_array()) {
+    visit(path, joined_points(value));
   } else if (is_of_maps(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       each_option(path + "." + std::to_string(i + 1), value[i], visit);

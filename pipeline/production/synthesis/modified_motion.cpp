@@ -14,7 +14,6 @@
 #include "motion/lint/lint.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/base/reading/field_values.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/style_transfer.h"
 
@@ -293,12 +292,10 @@ std::string described(const ModificationStep& step) {
     else
       parts.push_back("tempo " + motion::text_of(tempo));
   }
-  if (edit.names("gravity")) parts.emplace_back("gravity kept");
-  if (edit.names("stiffness")) {
-    const OrderedJson stiffness = StiffnessForm::write(edit.values.stiffness, {});
-    for (const auto& [part, value] : stiffness.items())
-      append(parts, "stiffness of " + part, value.get<double>());
-  }
+  if (edit.names("gravity") && edit.values.gravity == motion::TempoGravity::kept)
+    parts.emplace_back("gravity kept");
+  if (edit.names("stiffness") && !motion::is_unit(edit.values.stiffness))
+    parts.push_back("stiffness of " + text_of(edit.values.stiffness));
   if (edit.names("weight")) append(parts, "weight", edit.values.weight);
   if (edit.names("variation")) append(parts, "variation", edit.values.variation);
   std::string text = fmt::format("{}", fmt::join(parts, ", "));

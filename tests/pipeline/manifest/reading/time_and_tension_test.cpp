@@ -72,23 +72,26 @@ TEST(TimeAndTension, AreToldWhatIsWrongWithThem) {
   };
   for (const Case& each : {
            Case{"{tempo: [[0, 1], [0, 1.4]]}",
-                "/nowhere/m.yaml:7:28: stimuli[0].modify.tempo[1]: the moment 0 does not follow 0; "
+                "/nowhere/m.yaml:7:29: stimuli[0].modify.tempo[1][0]: the moment 0 does not follow "
+                "0; "
                 "give the points of the curve in the order of their moments, each once\n"},
            Case{"{tempo: [[0.5, 1], [0.2, 1.4]]}",
-                "/nowhere/m.yaml:7:30: stimuli[0].modify.tempo[1]: the moment 0.2 does not follow "
+                "/nowhere/m.yaml:7:31: stimuli[0].modify.tempo[1][0]: the moment 0.2 does not "
+                "follow "
                 "0.5; give the points of the curve in the order of their moments, each once\n"},
            Case{"{tempo: [[0, 1], [2, 1.4]]}",
-                "/nowhere/m.yaml:7:28: stimuli[0].modify.tempo[1]: the moment 2 is not in the "
+                "/nowhere/m.yaml:7:29: stimuli[0].modify.tempo[1][0]: the moment 2 is not in the "
                 "motion; give a share of its duration, from 0 (beginning) to 1 (end)\n"},
            Case{"{tempo: [[0, 0.1]]}",
-                "/nowhere/m.yaml:7:20: stimuli[0].modify.tempo[0]: the speed factor is 0.1; give a "
+                "/nowhere/m.yaml:7:24: stimuli[0].modify.tempo[0][1]: the speed factor is 0.1; "
+                "give a "
                 "number from 0.25 to 4\n"},
        }) {
     EXPECT_EQ(faults_of(each.modify), each.faults);
   }
   // The schema's; each one fault, at its place.
   for (const char* wrong :
-       {"{tempo: 5}", "{tempo: fast}", "{tempo: []}", "{tempo: [0, 1]}", "{tempo: [[0]]}",
+       {"{tempo: 5}", "{tempo: fast}", "{tempo: []}", "{tempo: [0.5]}", "{tempo: [[0]]}",
         "{tempo: [[0, .nan]]}", "{tempo: [[0, 5]]}", "{tempo: .nan}", "{stiffness: -1}",
         "{stiffness: {arms: 3}}", "{stiffness: {legs: 1.5}}", "{stiffness: {arm: 0.5}}",
         "{stiffness: slack}", "{weight: 4}", "{weight: .inf}", "{gravity: none}",
@@ -109,9 +112,10 @@ TEST(TimeAndTension, OfARecipeAreToldWithTheirPlace) {
     parse_recipes("recipes:\n  haste: {tempo: [[0.2, 1], [0.1, 2]]}\n", "/nowhere/r.yaml");
     FAIL() << "nothing was thrown";
   } catch (const Faults& faults) {
-    EXPECT_EQ(to_string(faults.list().at(0)),
-              "/nowhere/r.yaml:2:29: recipes.haste.tempo[1]: the moment 0.1 does not follow 0.2; "
-              "give the points of the curve in the order of their moments, each once");
+    EXPECT_EQ(
+        to_string(faults.list().at(0)),
+        "/nowhere/r.yaml:2:30: recipes.haste.tempo[1][0]: the moment 0.1 does not follow 0.2; "
+        "give the points of the curve in the order of their moments, each once");
   }
 }
 
