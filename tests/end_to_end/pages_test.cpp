@@ -74,6 +74,8 @@ const std::vector<NotRun> not_run = {
     {"tests/peers/", "needs a build with benchmarks, and Blender or matplotlib"},
     {"./mien study predict --examples manifests/real-walks.yaml",
      "needs recordings that are no part of mien"},
+    {"./mien study estimate --examples manifests/real-walks.yaml",
+     "needs recordings that are no part of mien"},
 };
 
 bool is_run(const std::string& command) {

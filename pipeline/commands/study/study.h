@@ -54,6 +54,7 @@ Command study_command();
 // Subcommands of `mien study`, one per source file.
 Command study_analyze_command();
 Command study_design_command();
+Command study_estimate_command();
 Command study_evaluate_command();
 Command study_export_command();
 Command study_features_command();
