@@ -96,7 +96,7 @@ const Surroundings surroundings[] = {
     {"modify.constraints[].reach", "{}",
      R"({"part": "left-hand", "place": [0.3, 1.2, 0.3], "from": 0.4, "to": 0.5})"},
     {"modify.constraints[].stays", "{}", R"({"part": "left-hand", "from": 0.2, "to": 0.6})"},
-    {"modify.constraints[].follows[].at", "{}", "{}"},
+    {"modify.constraints[].follows[].", "{}", "{}"},
     {"modify.constraints[].angle", "{}", R"({"at_least": 30})"},
     {"modify.constraints[].distance_to", "{}", R"({"part": "left-hand", "at_most": 0.2})"},
     {"modify.constraints[].at_", "{}", R"({"part": "left-hand", "distance_to": "right-hand"})"},
@@ -253,6 +253,9 @@ const Values chosen_values[] = {
                         [{"at": 0.4, "left-hand": [0.3, 1.2, 0.3]}]])"},
     {"modify.keys[].at", R"([0.2, "frame 3"])"},
     {"modify.keys[].reach", "[0.2, 0.4]"},
+    {"modify.keys[].relative", R"(["body", "room"])"},
+    {"modify.constraints[].relative", R"(["body", "room"])"},
+    {"modify.constraints[].stays", R"(["position", "orientation"])"},
     {"modify.keys[].left-foot", "[[0.1, 0.1, 0], [0.1, 0.05, 0]]"},
     {"modify.keys[].right-foot", "[[-0.1, 0.1, 0], [-0.1, 0.05, 0]]"},
     {"modify.keys[].pelvis", "[[0, 0.88, 0], [0, 0.85, 0]]"},
@@ -592,6 +595,8 @@ void add_around(json& manifest, const std::string& path) {
     parent_of(manifest, steps_of(list))["path"] = parsed(
         R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
   }
+  if (path.find("within.") != std::string::npos)
+    manifest["stimuli"][0]["modify"]["constraints"] = parsed(R"([{"part": "left-hand"}])");
   if (path.find("follows[].") != std::string::npos) {
     manifest["stimuli"][0]["modify"]["constraints"] = parsed(
         R"([{"part": "left-hand", "follows": [{"at": 0.2, "place": [0.3, 1, 0.3]}, {"at": 0.5, "place": [0.3, 1.2, 0.3]}]}])");
