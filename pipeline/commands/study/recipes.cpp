@@ -53,10 +53,12 @@ void show(const std::vector<EmotionSummary>& summaries, const Console& console) 
                              "right %", "wrong %", ">= 75 % right", "nearer", "acted versions",
                              "faulty");
   for (const EmotionSummary& s : summaries) {
-    const double changed = std::max(1, s.changed);
-    console.out << fmt::format("{:15} {:8.0f} {:8.0f} {:13} {:7} {:14} {:>8}\n", s.emotion,
-                               100.0 * s.right / changed, 100.0 * s.wrong / changed, s.mostly_right,
-                               s.nearer, s.comparisons, fmt::format("{}/{}", s.faulty, s.motions));
+    const auto percent = [&](int count) {
+      return s.changed == 0 ? std::string("–") : fmt::format("{:.0f}", 100.0 * count / s.changed);
+    };
+    console.out << fmt::format("{:15} {:>8} {:>8} {:13} {:7} {:14} {:>8}\n", s.emotion,
+                               percent(s.right), percent(s.wrong), s.mostly_right, s.nearer,
+                               s.comparisons, fmt::format("{}/{}", s.faulty, s.motions));
   }
 }
 
