@@ -11,6 +11,7 @@
 #include "motion/animate/constraints.h"
 #include "motion/animate/keys.h"
 #include "motion/formats/motion_file.h"
+#include "motion/gestures/acting_hand.h"
 #include "motion/lint/lint.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
@@ -57,8 +58,11 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
     for (std::string& note : styled.notes) result.notes.push_back(std::move(note));
     return;
   }
-  motion::ModifiedClip modified =
-      motion::modify(result.motion.clip, motion::scaled(modification, share * step.strength));
+  motion::Modification asked = motion::scaled(modification, share * step.strength);
+  // What a recipe says of gestures is not meant for walks.
+  const bool by_recipe = !step.edit.names("gesture") && !motion::is_identity(asked.gesture);
+  if (by_recipe && !motion::acting_hand(result.motion.clip)) asked.gesture = {};
+  motion::ModifiedClip modified = motion::modify(result.motion.clip, asked);
   // First the gesture has its own timing, then the tempo is that of everything.
   const std::vector<double>& moved = modified.report.gesture_frames;
   const double rate = result.motion.clip.frames_per_second;

@@ -9,7 +9,7 @@
 namespace mien::pipeline {
 namespace {
 
-ManifestReading parse(const std::string& modify) {
+ManifestReading parse_with(const std::string& modify) {
   return parse_manifest(
       "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n"
       "- id: a\n  weights: {normal: 1}\n  modify: " +
@@ -19,12 +19,12 @@ ManifestReading parse(const std::string& modify) {
 
 std::string faults_of(const std::string& modify) {
   std::string text;
-  for (const Fault& fault : parse(modify).faults) text += to_string(fault) + "\n";
+  for (const Fault& fault : parse_with(modify).faults) text += to_string(fault) + "\n";
   return text;
 }
 
 motion::Modification read_as(const std::string& modify) {
-  const ManifestReading reading = parse(modify);
+  const ManifestReading reading = parse_with(modify);
   EXPECT_TRUE(reading.faults.empty()) << faults_of(modify);
   return reading.manifest.stimuli.at(0).modify.at(0).modification;
 }

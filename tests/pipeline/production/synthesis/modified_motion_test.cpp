@@ -49,6 +49,23 @@ TEST(ModifiedMotion, IsTheMotionItselfAtStrengthZero) {
   EXPECT_EQ(result.share, 1.0);
 }
 
+TEST(ModifiedMotion, SaysThatAGestureIsMissingOnlyIfItsChangeWasAskedFor) {
+  Stimulus stimulus;
+  stimulus.id = "s";
+  ModificationStep step;
+  step.modification.paths = 1.1;
+  step.modification.gesture.height = 1.2;  // as from a recipe
+  stimulus.modify.push_back(step);
+  const auto says_it = [&] {
+    return std::ranges::any_of(
+        modify_motion(normal_walk(), stimulus, {}).notes,
+        [](const std::string& note) { return note.find("gesture") != std::string::npos; });
+  };
+  EXPECT_FALSE(says_it());
+  stimulus.modify[0].edit.named.insert("gesture");
+  EXPECT_TRUE(says_it());
+}
+
 TEST(ModifiedMotion, WarnsOfFaultsAndKeepsThem) {
   const ModifiedMotion result = modify_motion(normal_walk(), broken_neck(OnFault::warn), {});
   EXPECT_TRUE(motion::has_errors(result.findings));

@@ -103,8 +103,8 @@ bool warns_of_another_gait(const RestyledMotion& result) {
 }
 
 TEST(StyleTransfer, WarnsWhereTheStyleOfAWalkIsAppliedToARun) {
-  motion::test::SyntheticRun run;
-  const motion::Clip take = motion::test::steady_run(run, 2.0 * run.stride, 2.5);
+  test::SyntheticRun gait;
+  const motion::Clip take = test::steady_run(gait, 2.0 * gait.stride, 2.5);
   motion::Example running;
   running.name = "run";
   running.clip = motion::straightened(motion::closed_loop(take, 100, 150));
