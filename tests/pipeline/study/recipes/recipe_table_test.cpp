@@ -86,7 +86,7 @@ TEST(RecipeTable, RefusesWhatItCannotCompare) {
     return std::string("accepted");
   };
   EXPECT_NE(refused("- {id: a, weights: {sad: 1}, factors: {neutral: clam, emotion: bowed}}\n")
-                .find("m.yaml:7:58: \"clam\" is no stimulus with role: reference; did you mean "
+                .find("m.yaml:7:49: \"clam\" is no stimulus with role: reference; did you mean "
                       "\"calm\""),
             std::string::npos);
   EXPECT_NE(refused("- {id: a, weights: {sad: 1}, factors: {neutral: calm, emotion: bowled}}\n")
