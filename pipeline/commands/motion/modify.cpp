@@ -85,7 +85,8 @@ Command motion_modify_command() {
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           recording_options(options->recording),
           option("--recipes", &options->recipes,
-                 "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
+                 "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of a "
+                 "thesis on "
                  "emotion in motion capture), or a "
                  "file of recipes")
               .with_default(),
@@ -119,21 +120,23 @@ Command motion_emotions_command() {
     bool posture = false;
   };
   const auto options = std::make_shared<Options>();
-  return {.name = "emotions",
-          .summary = "List the emotions that can be applied to motions",
-          .options = {option("--recipes", &options->recipes,
-                             "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of "
-                             "a thesis on emotion in motion capture), or a file of recipes")
-                          .with_default(),
-                      flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
-                      flag("--posture", &options->posture,
-                           "List the rotations that can be named in `posture:`")},
-          .notes =
-              "To start your own file of recipes:\n"
-              "  mien motion emotions --yaml > my.recipes.yaml",
-          .run = [options](const Console& console) {
-            return emotions(options->recipes, options->yaml, options->posture, console);
-          }};
+  return {
+      .name = "emotions",
+      .summary = "List the emotions that can be applied to motions",
+      .options = {option(
+                      "--recipes", &options->recipes,
+                      "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of "
+                      "a thesis on emotion in motion capture), or a file of recipes")
+                      .with_default(),
+                  flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+                  flag("--posture", &options->posture,
+                       "List the rotations that can be named in `posture:`")},
+      .notes =
+          "To start your own file of recipes:\n"
+          "  mien motion emotions --yaml > my.recipes.yaml",
+      .run = [options](const Console& console) {
+        return emotions(options->recipes, options->yaml, options->posture, console);
+      }};
 }
 
 }  // namespace mien::pipeline

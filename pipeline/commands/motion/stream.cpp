@@ -255,7 +255,8 @@ Command motion_stream_command() {
                   "A recording of the same rig (FILE or FILE#TAKE) from which its proportions and "
                   "floor are measured"),
            option("--recipes", &options->recipes,
-                  "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
+                  "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of a "
+                  "thesis on "
                   "emotion in motion capture), or a "
                   "file of recipes")
                .with_default(),
@@ -269,7 +270,7 @@ Command motion_stream_command() {
           "Planted feet are\n"
           "not locked, and tempo, variation, stiffness, weight and changes in the actor's own "
           "terms cannot be\nstreamed.\n\nExamples:\n"
-          "  capture | mien motion stream - sad --recipes builtin@0.2 --leave-out tempo > sad.bvh\n"
+          "  capture | mien motion stream - 'emotion: sad' --leave-out tempo > sad.bvh\n"
           "  mien motion stream walk.bvh 'posture: {head-flexion: 20}' --paced | viewer\n"
           "  mien motion stream walk.bvh 'paths: 1.6' --measure -o longer.bvh",
       .run = [options](const Console& console) { return stream_motion(*options, console); }};
