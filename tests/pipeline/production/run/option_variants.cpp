@@ -500,6 +500,7 @@ const Values chosen_values[] = {
     {"modify.acceleration", "[0.2, 0.5]"},
     {"modify.tempo", "[0.9, 1.1]"},
     {"modify.gravity", R"(["scaled", "keep"])"},
+    {"modify.gesture.repetitions", "[1, 2]"},
     {"modify.gesture.", "[0.5, 0.8]"},
     {"modify.gesture", R"([{"height": 1.2}, {"width": 1.4}])"},
     {"modify.range.", "[0.1, 0.2]"},
