@@ -39,8 +39,8 @@ void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
 /// name.
 std::string_view builtin_recipes_text(std::string_view name);
 
-/// Returns the recipes of "builtin", "builtin@0.2", "fitted", "fig29" or a file. Throws Faults that list the
-/// faults of the file, and Error if it cannot be read. Example of a file:
+/// Returns the recipes of "builtin", "builtin@0.2", "fitted", "fig29" or a file. Throws Faults that
+/// list the faults of the file, and Error if it cannot be read. Example of a file:
 ///
 ///     name: my emotions
 ///     recipes:
