@@ -1,3 +1,4 @@
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -47,6 +48,44 @@ TEST(StudyCommands, LeadFromSimulatedAnswersToParametersOfAManifest) {
       run_mien({"study", "analyze", answers.string(), "--examples", manifest.string(), "--clusters",
                 "gap", "-o", (scratch.path() / "again").string()});
   EXPECT_EQ(again.code, 0) << again.errors;
+}
+
+TEST(StudyCommands, EstimateRatingsOfAMotionThatNobodyRated) {
+  const Scratch scratch;
+  const std::string walk = (scratch.path() / "walk.bvh").string();
+  ASSERT_EQ(run_mien({"motion", "blend", "--examples", "builtin:walks-10", "--weights", "sad=1",
+                      "-o", walk})
+                .code,
+            0);
+  const fs::path tables = scratch.path() / "estimates";
+  const Ended ended = run_mien({"study", "estimate", "--examples", "builtin:walks-10",
+                                "--permutations", "19", "--motions", walk, "-o", tables.string()});
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  EXPECT_NE(ended.output.find("walk (estimated, not rated)"), std::string::npos);
+  EXPECT_NE(ended.output.find("simulated ratings"), std::string::npos);
+  for (const char* file : {"estimate_checks.csv", "left_out_estimates.csv", "estimates.csv"})
+    EXPECT_TRUE(fs::exists(tables / file)) << file;
+  // Rated by nobody: what a study that takes them as ratings says, too.
+  const fs::path ratings = tables / "estimated_ratings.csv";
+  EXPECT_EQ(text_of(ratings).rfind("stimulus,scale,value,low_90,high_90,estimated,simulated\n", 0),
+            0u);
+}
+
+TEST(StudyCommands, EstimateReadsMotionsBeforeItBeginsAndStopsWhenAsked) {
+  const Scratch scratch;
+  const std::string none = (scratch.path() / "none.bvh").string();
+  const std::vector<std::string> long_one = {
+      "study", "estimate", "--examples", "builtin:walks-27", "--permutations", "9999"};
+  std::vector<std::string> arguments = long_one;
+  arguments.insert(arguments.end(), {"--motions", none});
+  const Ended missing = run_mien(arguments);
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.errors.find("none.bvh: there is no such file"), std::string::npos);
+  EXPECT_EQ(
+      run_mien({"study", "estimate", "--examples", "builtin:walks-10", "--permutations", "-1"})
+          .code,
+      2);
+  EXPECT_EQ(run_mien(long_one, 2.0, SIGINT).code, 130);
 }
 
 TEST(StudyCommands, AnalyzeRefusesBadOptionsAndAnswers) {

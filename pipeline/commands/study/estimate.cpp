@@ -17,6 +17,8 @@
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/analysis/estimate_tables.h"
 #include "pipeline/study/analysis/feature_regression.h"
+#include "pipeline/tasks/progress.h"
+#include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
 
@@ -70,37 +72,62 @@ RatedMotions rated_motions(const Repertoire& repertoire, const Manifest& manifes
   return motions;
 }
 
-RatingEstimators fitted(const Repertoire& repertoire, const Manifest& manifest,
-                        const EstimateOptions& options) {
+RatingEstimators fitted(const Repertoire& repertoire, const Manifest& manifest, int permutations,
+                        const Console& console) {
   if (!repertoire.impressions)
     throw Error("the examples have no ratings to estimate others from", "give ratings");
   const Impressions& impressions = *repertoire.impressions;
   const RatedMotions motions = rated_motions(repertoire, manifest);
   RatingEstimators result{impressions.examples, {}, {}, impressions.simulated};
-  for (std::size_t s = 0; s < impressions.scales.size(); ++s) {
+  ProgressBar bar(console.err, console.err_is_terminal);
+  const std::size_t scales = impressions.scales.size();
+  for (std::size_t s = 0; s < scales; ++s) {
+    const auto progress = [&](double share) {
+      if (console.stop.stop_requested()) throw Interrupted();
+      bar.show((static_cast<double>(s) + share) / static_cast<double>(scales),
+               impressions.scales[s]);
+    };
+    progress(0.0);
     const auto row = static_cast<Eigen::Index>(s);
     result.ratings.push_back({impressions.scales[s], impressions.mean.row(row),
                               impressions.deviation.row(row), impressions.count.row(row)});
     result.estimators.push_back(
         fit_estimator(motions, result.ratings.back(),
-                      {.permutations = options.permutations, .seed = manifest.seed}));
+                      {.permutations = permutations, .seed = manifest.seed, .progress = progress}));
   }
   return result;
 }
 
-std::vector<EstimatedMotion> estimated_motions(const EstimateOptions& options,
-                                               const RatingEstimators& estimators,
-                                               const Console& console) {
-  std::vector<EstimatedMotion> all;
+/// A motion without ratings.
+struct UnratedMotion {
+  std::string name;
+  Eigen::RowVectorXd features;
+};
+
+std::vector<UnratedMotion> unrated_motions(const EstimateOptions& options, const Console& console) {
+  std::vector<UnratedMotion> all;
   for (const NamedRecording& named : named_recordings(options.motions, options.recording)) {
-    EstimatedMotion one{fs::path(named.file).stem().string(), {}};
-    const Eigen::RowVectorXd features =
-        features_of(motion::to_body(read_with_warnings(named, console)));
+    all.push_back({fs::path(named.file).stem().string(),
+                   features_of(motion::to_body(read_with_warnings(named, console)))});
+  }
+  return all;
+}
+
+std::vector<EstimatedMotion> estimated_motions(const std::vector<UnratedMotion>& motions,
+                                               const RatingEstimators& estimators) {
+  std::vector<EstimatedMotion> all;
+  for (const UnratedMotion& motion : motions) {
+    EstimatedMotion one{motion.name, {}};
     for (const ScaleEstimator& estimator : estimators.estimators)
-      one.estimates.push_back(estimate(estimator, features));
+      one.estimates.push_back(estimate(estimator, motion.features));
     all.push_back(std::move(one));
   }
   return all;
+}
+
+/// "–" for what is not known.
+std::string rounded(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2f}", value) : "–";
 }
 
 void show(const RatingEstimators& estimators, const std::vector<EstimatedMotion>& motions,
@@ -109,12 +136,13 @@ void show(const RatingEstimators& estimators, const std::vector<EstimatedMotion>
       "{} motions{}\n\n{:22} {:>8} {:>8} {:>8} {:>8}\n", estimators.motions.size(),
       estimators.simulated ? ", simulated ratings" : "", "scale", "ceiling", "R²", "share", "p");
   for (const ScaleEstimator& e : estimators.estimators)
-    console.out << fmt::format("{:22} {:8.2f} {:8.2f} {:8.2f} {:8.3f}  {}\n", e.scale,
-                               e.check.ceiling, e.check.r_squared,
-                               e.check.r_squared / e.check.ceiling, e.check.p,
-                               e.reaches_aim() ? "60 % of the ceiling reached"
-                               : e.is_usable() ? "below 60 % of the ceiling"
-                                               : "not predicted: do not use");
+    console.out << fmt::format("{:22} {:>8} {:>8} {:>8} {:8.3f}  {}\n", e.scale,
+                               rounded(e.check.ceiling), rounded(e.check.r_squared),
+                               rounded(e.check.r_squared / e.check.ceiling), e.check.p,
+                               !e.is_usable()                ? "not predicted: do not use"
+                               : e.reaches_aim()             ? "60 % of the ceiling reached"
+                               : std::isnan(e.check.ceiling) ? ""
+                                                             : "below 60 % of the ceiling");
   console.out
       << "\nR² with all motions of a style left out. Ceiling: R² of an estimator that knows "
          "what all people\nwould answer on average. p: of permutations of the styles' "
@@ -130,12 +158,11 @@ void show(const RatingEstimators& estimators, const std::vector<EstimatedMotion>
 }
 
 int show_estimates(const EstimateOptions& options, const Console& console) {
-  if (options.permutations < 0)
-    throw Error(fmt::format("--permutations {}: must be 0 or more", options.permutations), "");
+  const std::vector<UnratedMotion> unrated = unrated_motions(options, console);
   const Manifest manifest = manifest_of(options.subject, console);
   const Repertoire repertoire = load_repertoire(manifest);
-  const RatingEstimators estimators = fitted(repertoire, manifest, options);
-  const std::vector<EstimatedMotion> motions = estimated_motions(options, estimators, console);
+  const RatingEstimators estimators = fitted(repertoire, manifest, options.permutations, console);
+  const std::vector<EstimatedMotion> motions = estimated_motions(unrated, estimators);
   show(estimators, motions, console);
   if (options.out.empty()) return exit_done;
   std::vector<WrittenTable> tables = {estimate_checks_table(estimators),
@@ -161,7 +188,9 @@ Command study_estimate_command() {
                         option("--motions", &options->motions, "Motion files without ratings"),
                         that_need("--motions", options_of_recordings(options->recording)),
                         option("--permutations", &options->permutations,
-                               "Number of permutations for the p values (199)"),
+                               "Number of permutations for the p values; scales can be used only "
+                               "if p is at most 0.05, so 19 is the smallest useful number")
+                            .between(0, 9999),
                         option("-o,--output", &options->out, "Folder for the tables (CSV)")),
       .notes =
           "Gaussian processes from features of shape, timing and dynamics of whole motions, of any "

@@ -133,6 +133,7 @@ double share_as_good(const std::vector<Fold>& folds, const RatedMotions& motions
   for (int shuffle = 0; shuffle < options.permutations; ++shuffle) {
     const std::vector<Index> order = shuffled_styles(motions, options.seed, shuffle);
     if (checked(folds, motions, values(order), noise(order)).r_squared >= r_squared) ++as_good;
+    options.progress((shuffle + 1.0) / options.permutations);
   }
   return as_good / (1.0 + options.permutations);
 }

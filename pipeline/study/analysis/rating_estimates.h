@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct RatingReliability {
   /// Variance of one answer about the mean of its motion, pooled over the motions (the mean square
   /// within of the one-way analysis of variance). NaN if only means are given.
   double answer_variance = 0.0;
-  double icc_one_k = 0.0;  ///< ICC(1,k) of the means (Shrout and Fleiss 1979); NaN likewise
+  double icc_one_k = 0.0;  ///< ICC(1,k) of the means (Shrout and Fleiss 1979); NaN if so
 };
 
 RatingReliability reliability_of(const MeanRatings& ratings);
@@ -75,6 +76,9 @@ inline constexpr double aimed_share_of_ceiling = 0.6;
 struct EstimatorOptions {
   int permutations = 199;
   std::uint64_t seed = 1;
+  /// Called after every permutation with the share of them that is done. What it throws ends the
+  /// fit.
+  std::function<void(double share)> progress = [](double) {};
 };
 
 /// Fits an estimator. Standardisation, parameters and constant of every left-out style are found
