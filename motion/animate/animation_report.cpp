@@ -5,10 +5,12 @@
 namespace mien::motion {
 
 std::string sentence_of(const Miss& miss, const std::string& goal) {
+  const bool is_far = !miss.is_angle && miss.amount >= 1.0;  // metres
+  const char* unit = miss.is_angle ? "degrees" : is_far ? "m" : "cm";
+  const double amount = miss.is_angle || is_far ? miss.amount : 100.0 * miss.amount;
   char text[240];
   std::snprintf(text, sizeof text, "the %s is %.1f %s from %s at %.2f s (frame %d): %s",
-                miss.part.c_str(), miss.is_angle ? miss.amount : 100.0 * miss.amount,
-                miss.is_angle ? "degrees" : "cm", goal.c_str(), miss.seconds, miss.frame,
+                miss.part.c_str(), amount, unit, goal.c_str(), miss.seconds, miss.frame,
                 miss.reason.c_str());
   return text;
 }

@@ -343,7 +343,7 @@ class KeySolver {
     }
     const int held = count - static_cast<int>(made.misses.size());
     made.remarks.insert(made.remarks.begin(),
-                        std::to_string(held) + " of " + std::to_string(count) + " keys are held");
+                        "keys held: " + std::to_string(held) + " of " + std::to_string(count));
     return made;
   }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double least_rise = 0.15;         // metres
 constexpr double clearly_more = 1.5;        // of one hand's path than of the other's
 constexpr double raised_share = 0.5;        // of the largest distance
-constexpr double held_up_share = 0.8;       // likewise, while it strokes
+constexpr double held_up_share = 0.8;       // the same share, while it strokes
 constexpr double least_stroke = 0.1;        // m/s
 constexpr double least_stroke_share = 0.2;  // of the range of velocities
 
@@ -37,7 +37,7 @@ std::vector<Vec3> away_from_rest(const Clip& clip, bool left) {
   return away;
 }
 
-/// The tip of the hand, likewise: a wave may be the wrist's alone.
+/// The same of the tip of the hand: a wave may be the wrist's alone.
 std::vector<Vec3> tips_from_rest(const Clip& clip, bool left) {
   std::vector<Vec3> tips = away_from_rest(clip, left);
   for (size_t f = 0; f < tips.size(); ++f) {

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "motion/biomechanics/soft_limits.h"
 #include "motion/error.h"
 #include "motion/gestures/acting_hand.h"
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/arm_reach.h"
 #include "motion/modify/nine_grid.h"
-#include "motion/modify/soft_limits.h"
 #include "motion/modify/turn_curve.h"
+#include "motion/modify/value_range.h"
 #include "motion/skeleton/pose.h"
 
 namespace mien::motion {
@@ -23,19 +23,10 @@ constexpr double most_height = 2.0, most_width = 3.0, least_speed = 0.25, most_s
 constexpr int most_repetitions = 10;
 constexpr double transition_seconds = 0.12;  // between two strokes, on both sides
 constexpr double free_rise = 1.2;            // arm lengths above where the hand hangs
-constexpr double highest_rise = 1.75;        // likewise
+constexpr double highest_rise = 1.75;        // as above
 constexpr double speed_change_seconds = 0.25;
 constexpr double wrist_course_hz =
     0.5;  // below it, the hand turns for other reasons than its strokes
-
-void check_gesture_value(const char* name, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  char wrong[96];
-  char remedy[96];
-  std::snprintf(wrong, sizeof wrong, "gesture.%s is %g", name, value);
-  std::snprintf(remedy, sizeof remedy, "give a number from %g to %g", least, most);
-  throw Error(wrong, remedy);
-}
 
 /// A stroke there and back, in whole frames.
 struct Stroke {
@@ -213,10 +204,10 @@ GestureChange scaled(GestureChange change, double strength) {
 }
 
 void check(const GestureChange& change) {
-  check_gesture_value("height", change.height, 0.0, most_height);
-  check_gesture_value("width", change.width, 0.0, most_width);
-  check_gesture_value("speed", change.speed, least_speed, most_speed);
-  check_gesture_value("repetitions", change.repetitions, -most_repetitions, most_repetitions);
+  check_range("gesture.height", change.height, 0.0, most_height);
+  check_range("gesture.width", change.width, 0.0, most_width);
+  check_range("gesture.speed", change.speed, least_speed, most_speed);
+  check_range("gesture.repetitions", change.repetitions, -most_repetitions, most_repetitions);
 }
 
 double moved_by_gesture(const std::vector<double>& frames, double frame) {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "motion/math/filter.h"
-#include "motion/modify/joint_curve.h"
+#include "motion/skeleton/joint_curve.h"
 #include "motion/skeleton/pose.h"
 
 namespace mien::motion {

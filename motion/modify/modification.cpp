@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <tuple>
 
+#include "motion/biomechanics/soft_limits.h"
+#include "motion/dynamics/tempo_forces.h"
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
@@ -16,8 +18,7 @@
 #include "motion/modify/held_hands.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/nine_grid.h"
-#include "motion/modify/soft_limits.h"
-#include "motion/modify/tempo_forces.h"
+#include "motion/modify/value_range.h"
 #include "motion/modify/variation.h"
 #include "motion/skeleton/straighten.h"
 
@@ -41,15 +42,6 @@ bool turns_nothing(const PoseDifference& difference) {
 }
 
 double towards_one(double value, double strength) { return 1.0 + strength * (value - 1.0); }
-
-void check_range(const char* name, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  char wrong[96];
-  char remedy[96];
-  std::snprintf(wrong, sizeof wrong, "%s is %g", name, value);
-  std::snprintf(remedy, sizeof remedy, "give a number from %g to %g", least, most);
-  throw Error(wrong, remedy);
-}
 
 /// The loop on its way when its feet walk in place; any other clip as it is.
 Clip made_travelling(const Clip& clip) {
@@ -283,7 +275,7 @@ void check(const Modification& m) {
   check_range("weight", m.weight, 0.0, heaviest);
   check_range("variation", m.variation, 0.0, 1.0);
   for (const PostureChange& change : m.posture) {
-    check_range(std::string(name_of(change.unit)).c_str(), change.degrees, -180.0, 180.0);
+    check_range(std::string(name_of(change.unit)), change.degrees, -180.0, 180.0);
   }
   check(m.gesture);
   check(m.relative);

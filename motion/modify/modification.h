@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "motion/dynamics/limb_dynamics.h"
+#include "motion/dynamics/retiming.h"
+#include "motion/dynamics/tempo_curve.h"
 #include "motion/modify/gesture_change.h"
-#include "motion/modify/limb_dynamics.h"
 #include "motion/modify/posture.h"
 #include "motion/modify/relative_change.h"
-#include "motion/modify/retiming.h"
-#include "motion/modify/tempo_curve.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {

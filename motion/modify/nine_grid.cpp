@@ -6,9 +6,9 @@
 
 #include "motion/modify/hip_shift.h"
 #include "motion/modify/hit_timing.h"
-#include "motion/modify/joint_curve.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/path_length.h"
+#include "motion/skeleton/joint_curve.h"
 
 namespace mien::motion {
 

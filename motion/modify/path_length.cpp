@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "motion/math/pyramid.h"
-#include "motion/modify/joint_curve.h"
 #include "motion/modify/turn_curve.h"
+#include "motion/skeleton/joint_curve.h"
 
 namespace mien::motion {
 

@@ -15,6 +15,7 @@
 #include "motion/math/rotation.h"
 #include "motion/modify/feet_apart.h"
 #include "motion/modify/turn_curve.h"
+#include "motion/modify/value_range.h"
 #include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
@@ -63,13 +64,6 @@ const UnitAngle* angle_of(PostureUnit unit) {
 
 size_t index_of(BodyJoint joint, std::string_view name) {
   return static_cast<size_t>(&joint_angle(joint, name) - joint_angles().data());
-}
-
-void check_factor(const char* name, double factor, double most) {
-  if (factor >= 0.0 && factor <= most) return;
-  throw Error(std::string(name) + " is outside its range",
-              "give a factor from 0 to " + std::to_string(static_cast<int>(most)) +
-                  "; 1 is the actor's own");
 }
 
 /// The abduction of each hip, degrees, that brings the feet `metres` farther apart.
@@ -196,19 +190,17 @@ RelativeChange scaled(RelativeChange change, double strength) {
 }
 
 void check(const RelativeChange& change) {
-  check_factor("step_width", change.step_width, most_factor);
-  check_factor("step_length", change.step_length, most_step_length);
-  check_factor("sway", change.sway, most_factor);
-  check_factor("arm_swing", change.arm_swing, most_factor);
-  check_factor("trunk_swing", change.trunk_swing, most_factor);
+  check_range("step_width", change.step_width, 0.0, most_factor);
+  check_range("step_length", change.step_length, 0.0, most_step_length);
+  check_range("sway", change.sway, 0.0, most_factor);
+  check_range("arm_swing", change.arm_swing, 0.0, most_factor);
+  check_range("trunk_swing", change.trunk_swing, 0.0, most_factor);
   for (const RangeShare& each : change.range) {
     const std::string name(name_of(each.unit));
     if (!range_of(each.unit)) {
       throw Error("the range of " + name + " is not known", "give it in degrees, as posture");
     }
-    if (std::abs(each.share) <= 1.0) continue;
-    throw Error("the share of the range of " + name + " is outside its range",
-                "give a number from -1 to 1");
+    check_range("range." + name, each.share, -1.0, 1.0);
   }
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "motion/math/random_number.h"
-#include "motion/modify/joint_curve.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/path_length.h"
+#include "motion/skeleton/joint_curve.h"
 
 namespace mien::motion {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "motion/modify/joint_curve.h"
 #include "motion/modify/path_length.h"
+#include "motion/skeleton/joint_curve.h"
 
 namespace mien::motion {
 

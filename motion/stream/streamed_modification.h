@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "motion/biomechanics/soft_limits.h"
 #include "motion/modify/modification.h"
-#include "motion/modify/soft_limits.h"
 #include "motion/stream/path_stream.h"
 #include "motion/stream/timing_stream.h"
 

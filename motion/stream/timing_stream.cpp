@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "motion/modify/joint_curve.h"
 #include "motion/modify/nine_grid.h"
+#include "motion/skeleton/joint_curve.h"
 #include "motion/skeleton/pose.h"
 
 namespace mien::motion {

@@ -45,7 +45,7 @@ TEST(AnimatedMotion, HasItsKeysAfterEverythingElseAtEveryStrengthAndRate) {
       stimulus.modify[0].strength = strength;
       const ModifiedMotion made = modify_motion(walk, stimulus, {});
       EXPECT_LT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 1e-6);
-      EXPECT_EQ(made.notes.back(), "1 of 1 keys are held");
+      EXPECT_EQ(made.notes.back(), "keys held: 1 of 1");
     }
   }
   EXPECT_EQ(described_modifications(animated(10.0, 30.0)), "head-flexion 10°, 1 key");

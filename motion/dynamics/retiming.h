@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "motion/dynamics/tempo_curve.h"
 #include "motion/gait/foot_plant.h"
 #include "motion/gestures/hand_hits.h"
-#include "motion/modify/tempo_curve.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {

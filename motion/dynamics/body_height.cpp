@@ -1,14 +1,14 @@
-#include "motion/modify/body_height.h"
+#include "motion/dynamics/body_height.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "motion/biomechanics/body_dynamics.h"
 #include "motion/biomechanics/body_mass.h"
+#include "motion/biomechanics/soft_limits.h"
 #include "motion/gait/foot_path.h"
 #include "motion/gait/foot_placement.h"
 #include "motion/math/filter.h"
-#include "motion/modify/soft_limits.h"
 #include "motion/skeleton/pose.h"
 
 namespace mien::motion {

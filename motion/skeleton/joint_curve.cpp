@@ -1,4 +1,4 @@
-#include "motion/modify/joint_curve.h"
+#include "motion/skeleton/joint_curve.h"
 
 #include <algorithm>
 #include <cmath>

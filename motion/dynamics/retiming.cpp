@@ -1,9 +1,9 @@
-#include "motion/modify/retiming.h"
+#include "motion/dynamics/retiming.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "motion/modify/joint_curve.h"
+#include "motion/skeleton/joint_curve.h"
 
 namespace mien::motion {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "motion/biomechanics/body_dynamics.h"
+#include "motion/dynamics/limb_dynamics.h"
 #include "motion/math/filter.h"
-#include "motion/modify/limb_dynamics.h"
 
 namespace mien::motion {
 

@@ -1,4 +1,4 @@
-#include "motion/modify/soft_limits.h"
+#include "motion/biomechanics/soft_limits.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "motion/modify/tempo_curve.h"
+#include "motion/dynamics/tempo_curve.h"
 
 #include <cmath>
 #include <limits>

@@ -1,15 +1,15 @@
-#include "motion/modify/limb_dynamics.h"
+#include "motion/dynamics/limb_dynamics.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "motion/biomechanics/body_dynamics.h"
 #include "motion/biomechanics/body_mass.h"
+#include "motion/dynamics/suspended_part.h"
 #include "motion/math/filter.h"
 #include "motion/math/rotation.h"
-#include "motion/modify/joint_curve.h"
-#include "motion/modify/suspended_part.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/joint_curve.h"
 #include "motion/skeleton/pose.h"
 
 namespace mien::motion {

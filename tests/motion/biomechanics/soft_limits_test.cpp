@@ -1,4 +1,4 @@
-#include "motion/modify/soft_limits.h"
+#include "motion/biomechanics/soft_limits.h"
 
 #include <cmath>
 
@@ -6,10 +6,9 @@
 
 #include "motion/biomechanics/joint_angles.h"
 #include "motion/math/rotation.h"
+#include "motion/modify/path_measures.h"
 #include "motion/modify/posture.h"
 #include "motion/procedural/walker.h"
-
-#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

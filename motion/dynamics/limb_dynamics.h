@@ -1,7 +1,7 @@
 #pragma once
 
+#include "motion/dynamics/body_height.h"
 #include "motion/math/spring_damper.h"
-#include "motion/modify/body_height.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {
@@ -41,7 +41,7 @@ SpringDamper muscle_spring(double stiffness, double hz);
 
 /// The clip with trunk, head and arms on springs and dampers, under gravity and carried along by
 /// their joints. A deflection tilts spine and chest (half each), neck and head (half each) and
-/// wrists in any direction but about their long axes, likewise upper arms, and elbows about their
+/// wrists in any direction but about their long axes, as do upper arms, and elbows about their
 /// own axis, never beyond straight. `weight`: factor on gravity, 0–3, with which ordinary muscles
 /// give way, too. Integrated in steps of at most 1/240 s, so that the result hardly depends on the
 /// frame rate. A loop is repeated until it is periodic (to 1e-6 radians, at most 200 cycles); any

@@ -1,4 +1,4 @@
-#include "motion/modify/retiming.h"
+#include "motion/dynamics/retiming.h"
 
 #include <cmath>
 #include <random>
@@ -6,10 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "motion/gait/contact.h"
+#include "motion/modify/path_measures.h"
 #include "motion/procedural/walker.h"
 #include "motion/random_motion.h"
-
-#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "motion/dynamics/body_height.h"
+#include "motion/dynamics/retiming.h"
 #include "motion/gait/gait_events.h"
-#include "motion/modify/body_height.h"
-#include "motion/modify/retiming.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {

@@ -1,4 +1,4 @@
-#include "motion/modify/body_height.h"
+#include "motion/dynamics/body_height.h"
 
 #include <algorithm>
 #include <random>
@@ -7,9 +7,8 @@
 
 #include "motion/biomechanics/body_dynamics.h"
 #include "motion/jumping_figure.h"
+#include "motion/modify/path_measures.h"
 #include "motion/procedural/walker.h"
-
-#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

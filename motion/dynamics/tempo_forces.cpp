@@ -1,4 +1,4 @@
-#include "motion/modify/tempo_forces.h"
+#include "motion/dynamics/tempo_forces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "motion/modify/tempo_forces.h"
+#include "motion/dynamics/tempo_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,10 @@
 #include "motion/gait/loop.h"
 #include "motion/jumping_figure.h"
 #include "motion/modify/modification.h"
+#include "motion/modify/path_measures.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/straighten.h"
 #include "motion/synthetic_run.h"
-
-#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

@@ -1,4 +1,4 @@
-#include "motion/modify/limb_dynamics.h"
+#include "motion/dynamics/limb_dynamics.h"
 
 #include <cmath>
 #include <complex>
@@ -13,11 +13,10 @@
 #include "motion/measures/distance/distance.h"
 #include "motion/measures/features/motion_features.h"
 #include "motion/modify/modification.h"
+#include "motion/modify/path_measures.h"
 #include "motion/procedural/walker.h"
 #include "motion/refusal.h"
 #include "motion/synthetic_walk.h"
-
-#include "path_measures.h"
 
 namespace mien::motion {
 namespace {

@@ -1,4 +1,4 @@
-#include "motion/modify/suspended_part.h"
+#include "motion/dynamics/suspended_part.h"
 
 #include <algorithm>
 #include <cmath>
