@@ -13,6 +13,10 @@ namespace mien::motion {
 
 namespace {
 
+constexpr double straightest = 0.9995;   // of the leg's length, from hip to ankle
+constexpr double still_bent = 0.995;     // as above; the knee is bent by 11°
+constexpr double easing_metres = 0.003;  // between the two
+
 /// Correction of the foot in one frame: translation, and rotation vector applied from the left.
 struct Correction {
   Vec3 translation = Vec3::Zero();
@@ -118,13 +122,18 @@ LegTargets leg_targets(const Clip& clip, const std::vector<FootTrajectory>& stre
   return targets;
 }
 
-/// How far the hip must sink so that the leg reaches its target.
+/// How far the hip must sink so that the leg reaches its target. Legs may be as straight as they
+/// were; one that would have to be straighter ends a little bent, for a knee that gets straight for
+/// a moment swings through it abruptly.
 double needed_drop(const TwoBoneLimb& limb, const Vec3& target, double extension) {
   const double length = (limb.middle - limb.root).norm() + (limb.end - limb.middle).norm();
   const double before = (limb.end - limb.root).norm() / length;
-  const double longest = length * std::min(0.9995, std::max(extension, before));
+  const double allowed = length * std::min(straightest, std::max(extension, before));
   const Vec3 reach = target - limb.root;
-  if (reach.norm() <= longest) return 0.0;
+  const double excess = reach.norm() - allowed;
+  if (excess <= 0.0) return 0.0;
+  const double bent = std::min(allowed, length * still_bent);
+  const double longest = allowed + smooth_step(excess / easing_metres) * (bent - allowed);
   const double across = std::hypot(reach.x(), reach.z());
   if (across >= longest) return 0.0;
   return std::max(0.0, -reach.y() - std::sqrt(longest * longest - across * across));

@@ -1,5 +1,7 @@
 #include "motion/modify/arm_reach.h"
 
+#include <algorithm>
+
 #include "motion/skeleton/two_bone_ik.h"
 
 namespace mien::motion {
@@ -20,11 +22,11 @@ Pose with_wrist_moved(const Skeleton& body, const Pose& pose, bool left, const V
   const JointTransforms world = world_transforms(body, pose);
   const TwoBoneLimb limb = {world.positions[arm.shoulder], world.positions[arm.elbow],
                             world.positions[arm.wrist]};
-  const Vec3 line = (limb.end - limb.root).normalized();
-  Vec3 bend = limb.middle - limb.root;
-  bend -= bend.dot(line) * line;
-  const Vec3 hint = bend.norm() > 1e-6 ? Vec3(bend.normalized()) : Vec3(0.0, -1.0, 0.0);
-  const TwoBoneSolution solved = solve_two_bone(limb, limb.end + shift, hint, longest_reach);
+  // An elbow bends about its own axis, which a stretched arm has too.
+  const Vec3 hint = world.rotations[arm.shoulder] * -Vec3::UnitZ();
+  const double length = (limb.middle - limb.root).norm() + (limb.end - limb.middle).norm();
+  const double reach = std::max(longest_reach, (limb.end - limb.root).norm() / length);
+  const TwoBoneSolution solved = solve_two_bone(limb, limb.end + shift, hint, reach);
   const Quat upper = solved.upper_turn * world.rotations[arm.shoulder];
   const Quat lower = solved.lower_turn * world.rotations[arm.elbow];
   Pose result = pose;

@@ -24,6 +24,9 @@ constexpr int most_repetitions = 10;
 constexpr double transition_seconds = 0.12;  // between two strokes, on both sides
 constexpr double free_rise = 1.2;            // arm lengths above where the hand hangs
 constexpr double highest_rise = 1.75;        // as above
+constexpr double free_reach = 0.9;           // of the arm's length, from the shoulder
+constexpr double farthest_reach = 0.98;      // as above
+constexpr double least_flexion = 10.0 * radians_per_degree;  // of elbows that were bent more
 constexpr double speed_change_seconds = 0.25;
 constexpr double wrist_course_hz =
     0.5;  // below it, the hand turns for other reasons than its strokes
@@ -169,18 +172,49 @@ double changed_rise(double rise, double factor, double arm_length) {
   return factor > 1.0 ? std::max(rise, limited) : factor * rise;
 }
 
+struct Bones {
+  double upper, lower;  // metres
+};
+
+/// The flexion of the elbow, radians, of a hand that is `distance` metres from the shoulder.
+double elbow_flexion(double distance, const Bones& arm) {
+  const double cosine = (distance * distance - arm.upper * arm.upper - arm.lower * arm.lower) /
+                        (2.0 * arm.upper * arm.lower);
+  return std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+/// The same for distances out of reach, too: elbows stop softly before they are straight.
+double soft_elbow_flexion(double distance, const Bones& arm) {
+  const double length = arm.upper + arm.lower;
+  return elbow_flexion(softly_limited(distance, free_reach * length, farthest_reach * length), arm);
+}
+
+/// A place for a hand that was at `before`, both seen from the shoulder, brought within reach.
+Vec3 within_reach(const Vec3& place, const Vec3& before, const Bones& arm) {
+  const double was = elbow_flexion(before.norm(), arm);
+  const double asked =
+      was + soft_elbow_flexion(place.norm(), arm) - soft_elbow_flexion(before.norm(), arm);
+  const double flexion = -softly_limited(-asked, -std::min(was, least_flexion), 0.0);
+  const double distance = std::sqrt(arm.upper * arm.upper + arm.lower * arm.lower +
+                                    2.0 * arm.upper * arm.lower * std::cos(std::min(flexion, pi)));
+  return distance * place.normalized();
+}
+
 void move_hand(Clip& clip, const Gesture& gesture, const GestureChange& change) {
   double most_away = 0.0;
   for (const Vec3& place : gesture.away) most_away = std::max(most_away, place.norm());
   const auto& joints = clip.body.joints;
   const Arm arm = arm_of(gesture.left);
-  const double length = joints[arm.elbow].offset.norm() + joints[arm.wrist].offset.norm();
+  const Bones bones{joints[arm.elbow].offset.norm(), joints[arm.wrist].offset.norm()};
+  const double length = bones.upper + bones.lower;
   if (change.width != 1.0) multiply_wrist(clip, gesture, most_away, change.width);
   for (size_t f = 0; f < clip.poses.size(); ++f) {
     const Vec3& away = gesture.away[f];
     const double raised = smooth_step(away.norm() / most_away);
     Vec3 shift = (change.width - 1.0) * raised * horizontal(away - gesture.centre);
     shift.y() = changed_rise(away.y(), change.height, length) - away.y();
+    const Vec3 reach = away - length * Vec3::UnitY();
+    shift = within_reach(reach + shift, reach, bones) - reach;
     Pose& pose = clip.poses[f];
     pose = with_wrist_moved(clip.body, pose, gesture.left,
                             heading(pose.rotations[Pelvis] * Vec3::UnitZ()) * shift);

@@ -105,7 +105,7 @@ std::vector<HandHit> held_hits(std::vector<HandHit> hits, const Modification& m)
 }
 
 /// The foot plants that a modification needs. Feet of runs are only taken for planted where the
-/// height of the body depends on it: `by_gait`.
+/// height of the body or the swing of the legs depends on it: `by_gait`.
 std::vector<FootPlant> contacts_of(const Clip& original, const Modification& m, bool needed,
                                    bool by_gait) {
   if (m.repair == FootRepair::none && !needed && !may_bring_feet_together(m)) return {};
@@ -319,8 +319,8 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   const bool on_slack_legs = asked.stiffness.legs < 1.0 || asked.weight != 1.0;
   const bool needed =
       at_contacts || in_gravity || on_slack_legs || asked.relative.step_width != 1.0;
-  const std::vector<FootPlant> contacts =
-      contacts_of(original, asked, needed, in_gravity || on_slack_legs);
+  const std::vector<FootPlant> contacts = contacts_of(
+      original, asked, needed, in_gravity || on_slack_legs || changes_swing(asked.relative));
   const Modification m = in_degrees(asked, original, contacts);
   const std::vector<FootPlant> plants =
       m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;

@@ -25,6 +25,7 @@ namespace {
 constexpr double most_factor = 3.0;
 constexpr double most_step_length = 2.0;  // longer legs than that are not reached
 constexpr double course_hz = 0.3;         // of a motion that does not loop
+constexpr double swing_hz = 6.0;          // above it, a capture's noise is not swing
 
 /// The angle of joint_angles.h that a unit changes.
 struct UnitAngle {
@@ -100,9 +101,10 @@ std::vector<Vec3> rest_of_swing(const TurnCurve& curve, const Clip& clip, BodyJo
 void multiply_swing(Clip& clip, BodyJoint joint, double factor) {
   TurnCurve curve = turn_curve(clip, joint);
   const std::vector<Vec3> course = rest_of_swing(curve, clip, joint);
-  for (size_t f = 0; f < curve.turns.size(); ++f) {
-    curve.turns[f] = course[f] + factor * (curve.turns[f] - course[f]);
-  }
+  const std::vector<Vec3> swing = low_pass(curve.turns, swing_hz, clip.frames_per_second,
+                                           clip.loops ? SignalEnds::periodic : SignalEnds::open);
+  for (size_t f = 0; f < curve.turns.size(); ++f)
+    curve.turns[f] += (factor - 1.0) * (swing[f] - course[f]);
   set_rotations(clip, joint, curve);
 }
 

@@ -42,6 +42,7 @@ make_root() {
   debootstrap --variant=minbase --include=git,ca-certificates "$release" "$1" "$mirror" >"$1.debootstrap.log" 2>&1 ||
     { tail -n 5 "$1.debootstrap.log" >&2; exit 1; }
   cp --dereference /etc/resolv.conf "$1/etc/resolv.conf"
+  printf '127.0.0.1 localhost\n127.0.1.1 %s\n' "$(uname -n)" >"$1/etc/hosts"  # Debian's installer writes it
   if ls /usr/local/share/ca-certificates/*.crt >/dev/null 2>&1; then
     cp /usr/local/share/ca-certificates/*.crt "$1/usr/local/share/ca-certificates/"
     chroot "$1" update-ca-certificates >/dev/null 2>&1

@@ -1,5 +1,6 @@
 #include "motion/modify/gesture_change.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "motion/gestures/acting_hand.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/modification.h"
+#include "motion/modify/posture.h"
 #include "motion/procedural/knock.h"
 #include "motion/procedural/walker.h"
 
@@ -51,6 +53,45 @@ TEST(GestureChange, ReachesNoFartherThanTheArm) {
     EXPECT_LT(angle_between(high.poses[f - 1].rotations[RightShoulder],
                             high.poses[f].rotations[RightShoulder]),
               25.0 / 60.0);  // the speed at which lint finds an arm too fast
+  }
+}
+
+/// The right arm is raised overhead and lowered again; its elbow is bent by 50 degrees at first,
+/// and by `least` degrees when it is highest.
+Clip overhead(double least) {
+  Clip clip;
+  clip.body = standard_body();
+  clip.frames_per_second = 60.0;
+  for (int f = 0; f < 180; ++f) {
+    const double s = std::sin(pi * f / 179.0);
+    Pose pose = standing_pose(clip.body);
+    pose.rotations[RightShoulder] =
+        exp(Vec3(0.0, 0.0, (82.0 - 150.0 * s * s) * radians_per_degree));
+    pose.rotations[RightElbow] =
+        exp(Vec3(0.0, (50.0 - (50.0 - least) * s) * radians_per_degree, 0.0));
+    clip.poses.push_back(pose);
+  }
+  return clip;
+}
+
+/// The largest change of the elbow's velocity from one frame to the next, metres.
+double elbow_leap(const Clip& clip) {
+  std::vector<Vec3> places;
+  for (const Pose& pose : clip.poses)
+    places.push_back(world_positions(clip.body, pose)[RightElbow]);
+  double most = 0.0;
+  for (size_t f = 1; f + 1 < places.size(); ++f)
+    most = std::max(most, (places[f + 1] - 2.0 * places[f] + places[f - 1]).norm());
+  return most;
+}
+
+TEST(GestureChange, StretchesAndBendsElbowsSmoothly) {
+  for (const double least : {0.5, 10.0, 25.0}) {
+    const Clip clip = overhead(least);
+    for (const double height : {0.85, 1.2, 1.5}) {
+      const Clip changed = with_gesture(clip, {.height = height}).clip;
+      EXPECT_LT(elbow_leap(changed), 3.0 * elbow_leap(clip) + 0.006) << least << " " << height;
+    }
   }
 }
 

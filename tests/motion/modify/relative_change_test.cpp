@@ -7,6 +7,7 @@
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/gait/foot_lock.h"
+#include "motion/gait/gait_plants.h"
 #include "motion/math/rotation.h"
 #include "motion/modify/feet_apart.h"
 #include "motion/modify/modification.h"
@@ -14,6 +15,7 @@
 #include "motion/procedural/knock.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/straighten.h"
+#include "motion/synthetic_run.h"
 
 namespace mien::motion {
 namespace {
@@ -190,6 +192,41 @@ TEST(RelativeChange, IsRefusedOutsideItsRanges) {
   EXPECT_THROW(check(RelativeChange{.range = {{PostureUnit::elbow_flexion, 1.1}}}), Error);
   EXPECT_THROW(check(RelativeChange{.range = {{PostureUnit::head_turn, 0.1}}}), Error);
   EXPECT_NO_THROW(check(RelativeChange{.range = {{PostureUnit::elbow_flexion, -1.0}}}));
+}
+
+/// Amplitude of what alternates from frame to frame in the turns of a joint, radians.
+double tremor(const Clip& clip, BodyJoint joint) {
+  double sum = 0.0;
+  for (size_t f = 1; f + 1 < clip.poses.size(); ++f) {
+    const Quat& here = clip.poses[f].rotations[joint];
+    const Vec3 before = log(here.conjugate() * clip.poses[f - 1].rotations[joint]);
+    const Vec3 after = log(here.conjugate() * clip.poses[f + 1].rotations[joint]);
+    sum += (before + after).norm() / 4.0;
+  }
+  return sum / static_cast<double>(clip.poses.size() - 2);
+}
+
+TEST(RelativeChange, MultipliesSwingButNotTheNoiseOfACapture) {
+  Clip noisy = walking();
+  for (size_t f = 0; f < noisy.poses.size(); ++f) {
+    const double noise = (f % 2 == 0 ? 0.3 : -0.3) * radians_per_degree;
+    Quat& chest = noisy.poses[f].rotations[Chest];
+    chest = (chest * exp(Vec3(noise, 0.0, noise))).normalized();
+  }
+  const Clip more = with_swing(noisy, {.trunk_swing = 2.0});
+  EXPECT_NEAR(tremor(more, Chest) / tremor(noisy, Chest), 1.0, 0.1);
+}
+
+TEST(RelativeChange, MovesRunningFeetWithTheFloor) {
+  test::SyntheticRun gait;
+  gait.stance = 0.2;
+  const Clip run = test::steady_run(gait, 2.0 * gait.stride, 2.5);
+  for (const double factor : {0.8, 1.2}) {
+    const Clip changed = modified(run, relative({.step_length = factor}));
+    const std::vector<FootPlant> plants = gait_plants(run);
+    ASSERT_FALSE(plants.empty());
+    EXPECT_LT(planted_drift(changed, plants), 0.002) << factor;
+  }
 }
 
 }  // namespace
