@@ -48,9 +48,10 @@ constexpr std::array<UnitAngle, 9> unit_angles = {{
     {PostureUnit::ankle_dorsiflexion, LeftAnkle, "dorsiflexion"},
 }};
 
-/// Of what is asked of arms, the part that they take when one of them makes a gesture, for the
-/// other rests and goes with the body.
-constexpr double resting_arm_share = 0.35;
+/// Of what is asked of arms and of the swing of the trunk, the part that they take when a hand
+/// makes a gesture: the other arm rests and goes with the body, and the trunk turns and bends with
+/// the gesture, once, instead of swinging.
+constexpr double share_in_gestures = 0.35;
 
 bool turns_arm(PostureUnit unit) {
   return unit == PostureUnit::shoulder_abduction || unit == PostureUnit::shoulder_flexion ||
@@ -214,7 +215,7 @@ std::vector<PostureChange> posture_of(const RelativeChange& change, const Clip& 
     const UnitRange range = *range_of(unit);
     const double own = own_angle(clip, unit);
     const double free = share > 0.0 ? range.most - own : own - range.least;
-    const double part = gestures && turns_arm(unit) ? resting_arm_share : 1.0;
+    const double part = gestures && turns_arm(unit) ? share_in_gestures : 1.0;
     posture.push_back({unit, part * share * std::max(0.0, free)});
   }
   if (change.step_width == 1.0) return posture;
@@ -229,8 +230,10 @@ std::vector<PostureChange> posture_of(const RelativeChange& change, const Clip& 
 Clip with_swing(const Clip& clip, const RelativeChange& change) {
   Clip result = clip;
   if (change.trunk_swing != 1.0) {
+    const double factor =
+        acting_hand(clip) ? std::pow(change.trunk_swing, share_in_gestures) : change.trunk_swing;
     for (const BodyJoint joint : {Pelvis, Spine, Chest, Neck, Head})
-      multiply_swing(result, joint, change.trunk_swing);
+      multiply_swing(result, joint, factor);
     for (size_t f = 0; f < result.poses.size(); ++f) {
       Pose& pose = result.poses[f];
       const Quat turned = pose.rotations[Pelvis].conjugate() * clip.poses[f].rotations[Pelvis];

@@ -85,10 +85,8 @@ Command motion_modify_command() {
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           recording_options(options->recording),
           option("--recipes", &options->recipes,
-                 "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of a "
-                 "thesis on "
-                 "emotion in motion capture), or a "
-                 "file of recipes")
+                 "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
+                 "emotion in motion capture), or a file of recipes")
               .with_default(),
           option(
               "--on-fault", &options->on_fault,
@@ -123,14 +121,14 @@ Command motion_emotions_command() {
   return {
       .name = "emotions",
       .summary = "List the emotions that can be applied to motions",
-      .options = {option(
-                      "--recipes", &options->recipes,
-                      "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of "
-                      "a thesis on emotion in motion capture), or a file of recipes")
-                      .with_default(),
-                  flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
-                  flag("--posture", &options->posture,
-                       "List the rotations that can be named in `posture:`")},
+      .options =
+          {option("--recipes", &options->recipes,
+                  "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
+                  "emotion in motion capture), or a file of recipes")
+               .with_default(),
+           flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+           flag("--posture", &options->posture,
+                "List the rotations that can be named in `posture:`")},
       .notes =
           "To start your own file of recipes:\n"
           "  mien motion emotions --yaml > my.recipes.yaml",

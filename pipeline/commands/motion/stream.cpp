@@ -27,7 +27,7 @@ struct StreamOptions {
   std::string in;
   std::string change;
   std::string out;
-  std::string recipes = "builtin";
+  std::string recipes = "builtin@0.2";
   std::string subject;
   std::string calibration;
   std::string json;
@@ -255,10 +255,9 @@ Command motion_stream_command() {
                   "A recording of the same rig (FILE or FILE#TAKE) from which its proportions and "
                   "floor are measured"),
            option("--recipes", &options->recipes,
-                  "builtin, builtin@0.2, fitted (to acted motions), fig29 (after figure 29 of a "
-                  "thesis on "
-                  "emotion in motion capture), or a "
-                  "file of recipes")
+                  "builtin@0.2 (those of mien 0.2, which can be streamed), builtin, fig29 (after "
+                  "figure "
+                  "29 of a thesis on emotion in motion capture), or a file of recipes")
                .with_default(),
            flag("--measure", &options->measure,
                 "Keep all frames, and report at the end how far they deviate from those of mien "

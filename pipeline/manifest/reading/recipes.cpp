@@ -15,7 +15,6 @@
 #include "embedded/emotions_0_2_recipes.h"
 #include "embedded/emotions_recipes.h"
 #include "embedded/fig29_recipes.h"
-#include "embedded/fitted_recipes.h"
 
 namespace mien::pipeline {
 
@@ -137,7 +136,6 @@ std::vector<std::string> RecipeBook::names() const {
 std::string_view builtin_recipes_text(std::string_view name) {
   if (name == "builtin") return embedded_emotions_recipes;
   if (name == "builtin@0.2") return embedded_emotions_0_2_recipes;
-  if (name == "fitted") return embedded_fitted_recipes;
   if (name == "fig29") return embedded_fig29_recipes;
   return {};
 }
@@ -149,7 +147,7 @@ RecipeBook read_recipes(const std::string& source, const fs::path& file) {
   const motion::FileReading reading = motion::bytes_of_file(file, motion::max_document_bytes);
   if (reading.bytes) return parse_recipes(*reading.bytes, file);
   throw Error(Place{file.string(), 0, 0}, reading.error,
-              "name a file of recipes (YAML), builtin, builtin@0.2, fitted or fig29");
+              "name a file of recipes (YAML), builtin, builtin@0.2 or fig29");
 }
 
 RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {

@@ -46,9 +46,8 @@ std::string recipe_book(MethodsText& out) {
   if (!out.manifest.recipes.file.empty()) return out.manifest.recipes.file.filename().string();
   if (out.manifest.recipes.name == "fig29")
     return "figure 29 of the emotion thesis, with mien's numbers";
-  if (out.manifest.recipes.name == "fitted") return "mien's own, fitted to acted motions";
   return out.manifest.recipes.name == "builtin@0.2" ? "those of mien 0.2, after the emotion thesis"
-                                                    : "mien's own, after the emotion thesis";
+                                                    : "mien's own, fitted to acted motions";
 }
 
 void describe_steps(MethodsText& out) {

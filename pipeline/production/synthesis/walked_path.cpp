@@ -112,7 +112,9 @@ std::vector<double> version_shares(const Mood& mood, const std::vector<Modificat
 
 /// The clip given an emotion, frame for frame the same moments.
 motion::SynchronisedMotion in_emotion(const motion::Clip& clip, const ModificationStep& recipe) {
-  const motion::ModifiedClip modified = motion::modify(clip, recipe.modification);
+  motion::Modification walking = recipe.modification;
+  walking.gesture = {};  // it would make the clip longer in the middle
+  const motion::ModifiedClip modified = motion::modify(clip, walking);
   const motion::Clip& changed = modified.clip;
   const motion::Retiming& retiming = modified.report.retiming;
   std::vector<double> whole = {0.0, changed.duration_seconds()};

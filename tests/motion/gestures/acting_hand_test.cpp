@@ -1,8 +1,11 @@
 #include "motion/gestures/acting_hand.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "motion/arm_motions.h"
+#include "motion/math/rotation.h"
 #include "motion/procedural/knock.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/hand_tip.h"
@@ -46,6 +49,20 @@ TEST(ActingHand, IsNoneOfAWalkNorOfWhoStandsNorOfBothHandsAlike) {
   standing.poses.resize(5);
   EXPECT_FALSE(acting_hand(standing));
   EXPECT_FALSE(acting_hand(test::clapping(60.0)));
+}
+
+/// As of a captured walker whose left arm swings to the horizontal.
+TEST(ActingHand, IsNoneOfAWalkWhoseOneArmSwingsFar) {
+  Clip clip = repeated(walk({}, 60.0, standard_body()).clip, 4);
+  clip.loops = false;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    Quat& shoulder = clip.poses[f].rotations[LeftShoulder];
+    const double raised = 1.0 + 0.8 * std::sin(2.0 * pi * static_cast<double>(f) / 40.0);
+    shoulder = exp(Vec3(-raised, 0.0, 0.0)) * shoulder;
+  }
+  EXPECT_FALSE(acting_hand(clip).has_value());
+  for (Pose& pose : clip.poses) pose.root_position.z() = 0.0;
+  EXPECT_TRUE(acting_hand(clip).has_value());  // standing, it would be one
 }
 
 TEST(HandTip, LiesAHandFromTheWrist) {

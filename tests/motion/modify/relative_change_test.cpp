@@ -1,5 +1,6 @@
 #include "motion/modify/relative_change.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -227,6 +228,24 @@ TEST(RelativeChange, MovesRunningFeetWithTheFloor) {
     ASSERT_FALSE(plants.empty());
     EXPECT_LT(planted_drift(changed, plants), 0.002) << factor;
   }
+}
+
+TEST(RelativeChange, MultipliesTheMovementOfTheTrunkLessInAGesture) {
+  Clip clip = knock({}, 60.0, standard_body()).clip;
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    const double share = static_cast<double>(f) / static_cast<double>(clip.poses.size());
+    clip.poses[f].rotations[Chest] =
+        exp(Vec3(0.0, 0.0, 8.0 * radians_per_degree * std::sin(4.0 * pi * share)));
+  }
+  const auto turned = [&](const Clip& of) {
+    double most = 0.0;
+    for (const Pose& pose : of.poses)
+      most = std::max(most, angle_between(pose.rotations[Chest], of.poses[0].rotations[Chest]));
+    return most;
+  };
+  const double factor = turned(with_swing(clip, {.trunk_swing = 2.0})) / turned(clip);
+  EXPECT_GT(factor, 1.05);
+  EXPECT_LT(factor, 1.4);
 }
 
 }  // namespace
