@@ -224,6 +224,16 @@ void append(std::vector<std::string>& parts, const std::string& name,
   if (value) parts.push_back(fmt::format("{} {}{}", name, shortest(*value), unit));
 }
 
+/// "gesture (height 1.3, speed 0.8)"
+std::string described(const motion::GestureChange& gesture) {
+  std::vector<std::string> parts;
+  if (gesture.height != 1.0) append(parts, "height", gesture.height);
+  if (gesture.width != 1.0) append(parts, "width", gesture.width);
+  if (gesture.speed != 1.0) append(parts, "speed", gesture.speed);
+  if (gesture.repetitions != 0) append(parts, "repetitions", gesture.repetitions);
+  return parts.empty() ? "gesture" : fmt::format("gesture ({})", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
@@ -285,9 +295,10 @@ std::string described(const ModificationStep& step) {
   if (edit.names("sway")) append(parts, "sway", relative.sway);
   if (edit.names("arm_swing")) append(parts, "arm_swing", relative.arm_swing);
   if (edit.names("trunk_swing")) append(parts, "trunk_swing", relative.trunk_swing);
-  if (edit.names("gesture")) parts.emplace_back("gesture");
+  if (edit.names("gesture")) parts.push_back(described(edit.values.gesture));
   for (const motion::RangeShare& each : relative.range) {
-    append(parts, std::string(motion::name_of(each.unit)), 100.0 * each.share, " % of its range");
+    append(parts, std::string(motion::name_of(each.unit)), std::round(1e4 * each.share) / 100.0,
+           " % of its range");
   }
   if (edit.names("tempo")) {
     const motion::Tempo& tempo = edit.values.tempo;

@@ -54,7 +54,7 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
             "No participants rated the examples; 14 simulated raters answered on 41 scales");
   expect_in(
       methods,
-      "The recipe used (mien's own, after the emotion thesis) was tired, at a strength of 0.50.");
+      "The recipe used (mien's own, fitted to acted motions) was tired, at a strength of 0.50.");
   expect_in(methods, "at 960 × 540 pixels with 128 samples per pixel and 25 frames per second");
   expect_in(methods, "encoded as H.264 in MP4 and VP9 in WebM");
   expect_in(methods, "For 1 compared pair, D was 0.");
@@ -83,7 +83,7 @@ TEST(Methods, NameSeveralRecipesAsSeveral) {
   expect_in(methods_for("stimuli:\n"
                         "  - {id: a, weights: {sad: 1}, modify: {emotion: tired}}\n"
                         "  - {id: b, weights: {sad: 1}, modify: {emotion: happy}}\n"),
-            "The recipes used (mien's own, after the emotion thesis) were tired and happy,");
+            "The recipes used (mien's own, fitted to acted motions) were tired and happy,");
 }
 
 TEST(Methods, LeaveOutWhatTheStudyDoesNotDo) {
