@@ -14,7 +14,7 @@ namespace mien::motion {
 namespace {
 
 constexpr double straightest = 0.9995;   // of the leg's length, from hip to ankle
-constexpr double still_bent = 0.998;     // as above; the knee is bent by 7°
+constexpr double still_bent = 0.9985;    // as above; the knee is bent by 6°
 constexpr double easing_metres = 0.003;  // between the two
 
 /// Correction of the foot in one frame: translation, and rotation vector applied from the left.

@@ -22,7 +22,7 @@ constexpr double raised_share = 0.5;        // of the largest distance
 constexpr double held_up_share = 0.8;       // the same share, while it strokes
 constexpr double least_stroke = 0.1;        // m/s
 constexpr double least_stroke_share = 0.2;  // of the range of velocities
-constexpr double slowest_walk = 0.25;       // m/s; bodies that get on faster swing their arms
+constexpr double slowest_walk = 0.25;       // m/s; a body that moves faster is walking
 
 std::vector<Vec3> away_from_rest(const Clip& clip, bool left) {
   const BodyJoint shoulder = left ? LeftShoulder : RightShoulder;
@@ -50,9 +50,9 @@ std::vector<Vec3> tips_from_rest(const Clip& clip, bool left) {
   return tips;
 }
 
-/// Whether the body gets on, rather than standing or shifting its weight: over two seconds, or all
-/// of a shorter clip, its place changes faster than `slowest_walk`.
-bool gets_on(const Clip& clip) {
+/// Whether the person walks or runs, rather than standing or shifting weight: at some time the root
+/// moves faster than `slowest_walk` on average over two seconds (or over all of a shorter clip).
+bool is_locomotion(const Clip& clip) {
   const size_t last = clip.poses.size() - 1;
   const size_t span =
       std::min(last, static_cast<size_t>(std::lround(2.0 * clip.frames_per_second)));
@@ -118,7 +118,7 @@ std::vector<double> stroke_ends(const std::vector<Vec3>& away, const Frames& hel
 }  // namespace
 
 std::optional<Gesture> acting_hand(const Clip& clip) {
-  if (clip.loops || clip.frame_count() < 2 || gets_on(clip)) return std::nullopt;
+  if (clip.loops || clip.frame_count() < 2 || is_locomotion(clip)) return std::nullopt;
   const std::vector<Vec3> left = away_from_rest(clip, true), right = away_from_rest(clip, false);
   const double left_path = path_of(left), right_path = path_of(right);
   Gesture gesture;

@@ -17,8 +17,8 @@ struct RangeShare {
   double share = 0.0;  ///< −1 to 1
 };
 
-/// A change in the actor's own terms. Factors multiply what the actor does, below 6 Hz: the noise of
-/// a capture stays as it is. 1 changes nothing.
+/// A change in the actor's own terms. Factors multiply what the actor does, below 6 Hz: the noise
+/// of a capture stays as it is. 1 changes nothing.
 struct RelativeChange {
   double step_width = 1.0;   ///< of the lateral distance between the feet, 0–3; never below the
                              ///< width of a foot, unless the actor's own steps are narrower

@@ -256,8 +256,7 @@ Command motion_stream_command() {
                   "floor are measured"),
            option("--recipes", &options->recipes,
                   "builtin@0.2 (those of mien 0.2, which can be streamed), builtin, fig29 (after "
-                  "figure "
-                  "29 of a thesis on emotion in motion capture), or a file of recipes")
+                  "figure 29 of a thesis on emotion in motion capture), or a file of recipes")
                .with_default(),
            flag("--measure", &options->measure,
                 "Keep all frames, and report at the end how far they deviate from those of mien "
