@@ -69,7 +69,12 @@ Place place_at(const TextCursor& cursor, size_t index) {
 }
 
 void fail(const TextCursor& cursor, size_t index, std::string_view wrong, std::string_view remedy) {
-  throw Error(place_at(cursor, index), wrong, remedy);
+  const std::string_view rest = cursor.text.substr(std::min(index, cursor.text.size()));
+  const bool ends_with_it = !rest.empty() && std::none_of(rest.begin(), rest.end(), is_space);
+  throw Error(place_at(cursor, index), wrong,
+              ends_with_it
+                  ? std::string(remedy) + "; the text ends with this word and may be truncated"
+                  : std::string(remedy));
 }
 
 bool same_word(std::string_view a, std::string_view b) {

@@ -22,6 +22,8 @@ TextCursor start_of(std::string_view text, std::string file);
 /// Line and column (in characters, not bytes) of an index.
 Place place_at(const TextCursor& cursor, size_t index);
 
+/// Throws mien::Error with the place of the index. Where the word there is the last of the text,
+/// and no line end follows, it may have been cut, and the error says so, too.
 [[noreturn]] void fail(const TextCursor& cursor, size_t index, std::string_view wrong,
                        std::string_view remedy);
 

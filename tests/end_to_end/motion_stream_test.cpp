@@ -163,7 +163,8 @@ TEST_F(MotionStream, LeavesNothingHalfWrittenWhenItsInputBreaks) {
   for (const auto& entry : fs::directory_iterator(scratch.path())) {
     EXPECT_EQ(entry.path().string().find("out.bvh"), std::string::npos) << entry.path();
   }
-  const Ended cut = stream({scratch.write("cut.bvh", head + frames.substr(0, 5001)), bow});
+  const std::size_t between = frames.find(' ', 5000);  // two numbers
+  const Ended cut = stream({scratch.write("cut.bvh", head + frames.substr(0, between)), bow});
   EXPECT_EQ(cut.code, 2);
   EXPECT_NE(cut.errors.find("truncated"), std::string::npos) << cut.errors;
   const Ended empty = stream({scratch.write("empty.bvh", head), bow});

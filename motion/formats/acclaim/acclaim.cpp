@@ -158,7 +158,8 @@ class AmcReader {
          "bone " + in_quotes(skeleton_.skeleton.joints[bone].name) + " has " + numbers +
              ", its degrees of freedom are " +
              std::to_string(skeleton_.bones[bone].freedoms.size()),
-         "give one number for each degree of freedom that the skeleton lists");
+         at_end(cursor_) ? "the file is truncated: obtain it again"
+                         : "give one number for each degree of freedom that the skeleton lists");
   }
 
   TextCursor cursor_;

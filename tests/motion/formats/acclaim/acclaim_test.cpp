@@ -1,6 +1,7 @@
 #include "motion/formats/acclaim/acclaim.h"
 
 #include <array>
+#include <cctype>
 
 #include <gtest/gtest.h>
 
@@ -216,6 +217,23 @@ TEST(Acclaim, RefusesWhatIsWrongInTheMotionAtItsPlace) {
     EXPECT_EQ(said.substr(0, place.size() + 1), place + ":") << said;
     EXPECT_NE(said.find(words), std::string::npos) << said << "\nlacks: " << words;
   }
+}
+
+TEST(Acclaim, SaysOfEveryMotionThatEndsWithinAWordThatItIsTruncated) {
+  const std::string amc = replaced(arm_amc, "lower 90", "lower -0.9e2");
+  size_t refused = 0;
+  for (size_t size = amc.find("upper") + 1; size < amc.size(); ++size) {
+    const std::string cut = amc.substr(0, size);
+    if (std::isspace(static_cast<unsigned char>(cut.back())) != 0) continue;
+    try {
+      arm(cut);  // what is left of the last number may be one
+    } catch (const mien::Error& error) {
+      ++refused;
+      EXPECT_NE(std::string(error.what()).find("truncated"), std::string::npos) << cut << "\n"
+                                                                                << error.what();
+    }
+  }
+  EXPECT_GT(refused, 20u);
 }
 
 TEST(Acclaim, RefusesWhatIsWrongInTheSkeletonAtItsPlace) {

@@ -134,6 +134,18 @@ TEST(BvhStream, RefusesATextThatEndsTooSoon) {
   EXPECT_NE(refusal(" ").find("starts with HIERARCHY"), std::string::npos);
 }
 
+TEST(BvhStream, SaysOfEveryTextThatEndsWithinAFrameThatItIsTruncated) {
+  const std::string frames = "0 -1.5 +2 1e-3 -0 7\n-1 -.5 -2e+1 3 4 5";
+  const std::string whole = arm + frames;
+  for (size_t size = arm.size() + 1; size < whole.size(); ++size) {
+    const std::string cut = whole.substr(0, size);
+    if (cut.ends_with(" 7") || cut.ends_with("7\n")) continue;  // a frame is complete
+    const std::string refused = refusal(cut);
+    EXPECT_NE(refused.find("truncated"), std::string::npos)
+        << "after \"" << cut.substr(arm.size()) << "\": " << refused;
+  }
+}
+
 TEST(BvhStream, RefusesWhatIsNoBvhBeforeItEnds) {
   BvhStream stream("live.bvh");
   stream.push("RIFF....\nmore");
