@@ -74,9 +74,16 @@ double abduction_for(double metres, const Skeleton& body) {
   return std::asin(share) / radians_per_degree;
 }
 
+/// Beyond its ends a motion is taken to go back the way it came: where it starts in the middle of a
+/// step, what it swings about is found from that step, and not taken to be where it starts.
 std::vector<Vec3> course_of(const std::vector<Vec3>& turns, const Clip& clip) {
   if (clip.loops) return std::vector<Vec3>(turns.size(), Vec3::Zero());
-  return low_pass(turns, course_hz, clip.frames_per_second);
+  std::vector<Vec3> there_and_back(turns.rbegin(), turns.rend());
+  there_and_back.insert(there_and_back.end(), turns.begin(), turns.end());
+  there_and_back.insert(there_and_back.end(), turns.rbegin(), turns.rend());
+  const std::vector<Vec3> course = low_pass(there_and_back, course_hz, clip.frames_per_second);
+  const auto first = course.begin() + static_cast<std::ptrdiff_t>(turns.size());
+  return {first, first + static_cast<std::ptrdiff_t>(turns.size())};
 }
 
 /// The frame in which the knee is straightest.

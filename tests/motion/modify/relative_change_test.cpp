@@ -207,6 +207,26 @@ double tremor(const Clip& clip, BodyJoint joint) {
   return sum / static_cast<double>(clip.poses.size() - 2);
 }
 
+TEST(RelativeChange, SwingsLegsInATakeAsInItsLoopWhereverTheTakeStarts) {
+  const Clip loop = walking();
+  const Clip longer = with_swing(loop, {.step_length = 1.3});
+  const Clip strides = repeated(loop, 6);
+  const int cycle = loop.frame_count();
+  for (const int start : {0, cycle / 8, cycle / 4, cycle / 2, 3 * cycle / 4}) {
+    Clip take = strides;
+    take.poses.erase(take.poses.begin(), take.poses.begin() + start);
+    const Clip changed = with_swing(take, {.step_length = 1.3});
+    double farthest = 0.0;
+    for (int f = 0; f < cycle; ++f) {
+      const Pose& expected = longer.poses[static_cast<size_t>((start + f) % cycle)];
+      const Pose& pose = changed.poses[static_cast<size_t>(f)];
+      for (const BodyJoint hip : {LeftHip, RightHip})
+        farthest = std::max(farthest, angle_between(pose.rotations[hip], expected.rotations[hip]));
+    }
+    EXPECT_LT(farthest / radians_per_degree, 4.0) << start;
+  }
+}
+
 TEST(RelativeChange, MultipliesSwingButNotTheNoiseOfACapture) {
   Clip noisy = walking();
   for (size_t f = 0; f < noisy.poses.size(); ++f) {
