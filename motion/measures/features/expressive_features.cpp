@@ -12,7 +12,8 @@ namespace mien::motion {
 
 namespace {
 
-/// Joints whose accelerations are measured; of limbs, both sides.
+/// Parts whose accelerations are measured; of limbs, both sides. The tips of hands (LeftWrist
+/// stands for them), since it is they that gestures are made with.
 constexpr std::array<std::pair<std::string_view, BodyJoint>, 4> moving_joints = {
     {{"hand", LeftWrist}, {"head", Head}, {"ankle", LeftAnkle}, {"pelvis", Pelvis}}};
 
@@ -93,6 +94,11 @@ void add_curves(std::vector<double>& values, const Movement& m) {
   }
 }
 
+const Path& path_of(const Movement& m, BodyJoint joint) {
+  if (joint == LeftWrist) return m.left_hand;
+  return joint == RightWrist ? m.right_hand : m.joints[joint];
+}
+
 /// Accelerations of joints relative to the pelvis, of the pelvis in space; and how much jerk comes
 /// with them, log(jerk / acceleration).
 void add_accelerations(std::vector<double>& values, const Movement& m) {
@@ -100,9 +106,10 @@ void add_accelerations(std::vector<double>& values, const Movement& m) {
     double acceleration = 0.0;
     double jerk = 0.0;
     for (const BodyJoint side : {joint, mirrored(joint)}) {
+      const Path& moving = path_of(m, side);
       Path path;
       for (std::size_t f = 0; f < m.count(); ++f)
-        path.push_back(side == Pelvis ? m.joints[side][f] : m.between(Pelvis, side, f));
+        path.push_back(side == Pelvis ? moving[f] : moving[f] - m.joints[Pelvis][f]);
       const Path second = rate_of(rate_of(path));
       acceleration += 0.5 * root_mean_square(second);
       jerk += 0.5 * root_mean_square(rate_of(second));

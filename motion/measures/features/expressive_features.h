@@ -37,9 +37,9 @@ std::span<const ExpressiveFeature> expressive_features();
 ///
 /// The motion is sampled at 30 Hz and low-pass filtered at 6 Hz; a loop is repeated for at least
 /// 4 s. Directions are those of the body in each frame: left is the horizontal part of the line
-/// through hips and shoulders, low-pass filtered at 0.5 Hz (the mean for clips below 2 s). Curves
-/// of limbs are measured on both sides and averaged, so a motion and its mirror image have the same
-/// values. For each curve
+/// through hips and shoulders, low-pass filtered at 0.5 Hz (the mean for clips below 2 s). Hands
+/// are the tips of stretched hands (hand_tip.h). Curves of limbs are measured on both sides and
+/// averaged, so a motion and its mirror image have the same values. For each curve
 /// - mean (shape; not for curves that change sign under mirroring),
 /// - deviation: standard deviation,
 /// - velocity: log of the root mean square of the derivative,

@@ -5,6 +5,7 @@
 
 #include "motion/error.h"
 #include "motion/math/filter.h"
+#include "motion/skeleton/hand_tip.h"
 
 namespace mien::motion {
 
@@ -52,7 +53,7 @@ void set_directions(Movement& m) {
 double limb_value(const Movement& m, MovementCurve curve, bool is_left, std::size_t f) {
   const auto side = [is_left](BodyJoint joint) { return is_left ? joint : mirrored(joint); };
   const double out = is_left ? 1.0 : -1.0;
-  const Vec3 hand = m.own(m.between(Pelvis, side(LeftWrist), f), f);
+  const Vec3 hand = m.own((is_left ? m.left_hand : m.right_hand)[f] - m.joints[Pelvis][f], f);
   const Vec3 ankle = m.own(m.between(Pelvis, side(LeftAnkle), f), f);
   const Vec3 arm = m.own(m.between(side(LeftShoulder), side(LeftElbow), f), f);
   const Vec3 shoulder = m.own(m.between(Neck, side(LeftShoulder), f), f);
@@ -128,6 +129,11 @@ Movement sampled_movement(const Clip& original) {
     Path path;
     for (const auto& at : frames) path.push_back(at[j] / size);
     m.joints.push_back(low_pass(path, cutoff_hz, movement_samples_per_second));
+  }
+  for (const bool left : {true, false}) {
+    Path tips;
+    for (const Pose& pose : clip.poses) tips.push_back(hand_tip(clip.body, pose, left) / size);
+    (left ? m.left_hand : m.right_hand) = low_pass(tips, cutoff_hz, movement_samples_per_second);
   }
   set_directions(m);
   return m;

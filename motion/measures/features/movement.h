@@ -53,7 +53,8 @@ inline constexpr std::array<MovementCurveName, movement_curve_count> movement_cu
 /// A motion sampled at 30 Hz and low-pass filtered at 6 Hz, with the body's own directions in each
 /// frame. Lengths are standing heights (standing_height, body.h) of the body.
 struct Movement {
-  std::vector<Path> joints;  ///< a path for each joint
+  std::vector<Path> joints;    ///< a path for each joint
+  Path left_hand, right_hand;  ///< of the tips of the stretched hands (hand_tip.h)
   Path forward, left;
 
   std::size_t count() const { return left.size(); }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/math/rotation.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/mirror.h"
 
@@ -72,6 +73,20 @@ TEST(ExpressiveFeatures, FollowWhatTheyAreNamedAfter) {
   rises({.elbow_flexion_deg = 80.0}, "mean-elbow-bend", 0.5);
   rises({.trunk_rotation_deg = 12.0}, "deviation-shoulder-turn", 0.01);
   rises({.arm_swing_deg = 60.0}, "velocity-hand-forward", 0.2);
+}
+
+TEST(ExpressiveFeatures, OfHandsAreThoseOfTheirTips) {
+  const Clip clip = walk_of({});
+  Clip waving = clip;  // by the wrists alone
+  for (size_t f = 0; f < waving.poses.size(); ++f) {
+    const double turn = 0.5 * std::sin(2.0 * pi * 2.0 * static_cast<double>(f) / 30.0);
+    for (const BodyJoint wrist : {LeftWrist, RightWrist})
+      waving.poses[f].rotations[wrist] *= exp(Vec3(turn, 0.0, 0.0));
+  }
+  const std::vector<double> usual = measure_expression(clip), waved = measure_expression(waving);
+  EXPECT_GT(value(waved, "velocity-hand-forward"), value(usual, "velocity-hand-forward") + 0.05);
+  EXPECT_GT(value(waved, "acceleration-hand"), value(usual, "acceleration-hand") + 0.2);
+  EXPECT_EQ(value(waved, "mean-elbow-bend"), value(usual, "mean-elbow-bend"));
 }
 
 TEST(ExpressiveFeatures, OfAFasterPlaybackRaiseSpeedsAndFrequenciesOnly) {
