@@ -81,7 +81,7 @@ TEST(ExpressiveFeatures, OfHandsAreThoseOfTheirTips) {
   for (size_t f = 0; f < waving.poses.size(); ++f) {
     const double turn = 0.5 * std::sin(2.0 * pi * 2.0 * static_cast<double>(f) / 30.0);
     for (const BodyJoint wrist : {LeftWrist, RightWrist})
-      waving.poses[f].rotations[wrist] *= exp(Vec3(turn, 0.0, 0.0));
+      waving.poses[f].rotations[wrist] *= exp(Vec3(0.0, turn, 0.0));
   }
   const std::vector<double> usual = measure_expression(clip), waved = measure_expression(waving);
   EXPECT_GT(value(waved, "velocity-hand-forward"), value(usual, "velocity-hand-forward") + 0.05);
