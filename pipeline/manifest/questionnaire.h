@@ -7,6 +7,7 @@
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/questionnaire_forms.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
+#include "pipeline/manifest/recruitment.h"
 
 namespace mien::pipeline {
 
@@ -137,6 +138,7 @@ struct Questionnaire {
   ShownAs view = ShownAs::video;
   Phones phones = Phones::refused;
   std::vector<Demographic> demographics;
+  Recruitment recruitment;
   Pace pace;
   AnalysisPlan analysis;
 };
@@ -173,6 +175,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("phones", questionnaire.phones, concerns::nothing, phones_words);
   field.each("demographics", questionnaire.demographics, concerns::nothing,
              [] { return Demographic(); });
+  field("recruitment", questionnaire.recruitment, concerns::nothing);
   field("pace", questionnaire.pace, concerns::nothing);
   field("analysis", questionnaire.analysis, concerns::nothing);
 }

@@ -212,6 +212,8 @@ TEST_F(QuestionnairePage, RunsOnJatos) {
   // The others had been given out, and the first try to take this one was refused.
   EXPECT_EQ(run.at("taken"), (json{{"p001", 1}, {"p002", 1}, {"p003", 1}}));
   EXPECT_EQ(run.at("files"), (json{"p002-participants.csv", "p002-records.json"}));
+  // JATOS leads to the study's own End Redirect URL, once the participant has read the last page.
+  EXPECT_EQ(run.at("ended_before_it_was_read"), false);
   EXPECT_FALSE(rows_in(run.at("answers").get<std::string>()).empty());
 }
 
@@ -227,6 +229,49 @@ TEST_F(QuestionnairePage, SendsEachRecordUntilTheServerHasIt) {
     records.push_back("trial-" + std::to_string(trial.at("number").get<int>()));
   records.push_back("ending");
   EXPECT_EQ(run.at("kept"), records);
+}
+
+TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
+  std::string text = study_text;
+  text +=
+      "  recruitment:\n    prolific: {completed: CDONE, refused: CREFUSED, screened_out: COUT}\n";
+  const fs::path manifest = scratch->write("recruited.yaml", text);
+  const fs::path told = scratch->path() / "recruiting.txt";
+  const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told.string(),
+                        MIEN_PROGRAM, "study", "serve", manifest.string(), "--out",
+                        (scratch->path() / "out").string(), "--port", "0", "--json", "--store",
+                        (scratch->path() / "recruited.db").string()});
+  json places;
+  for (int tries = 0; tries < 3000 && !places.is_object(); ++tries) {
+    pause_for(0.1);
+    places = json::parse(text_of(told), nullptr, false);
+  }
+  ASSERT_TRUE(places.is_object());
+  const json run = played(
+      "prolific", scratch->write("recruited.json", json{{"join", places.at("join")}}.dump()));
+  EXPECT_EQ(run.at("troubles"), json::array());
+  const std::string back = "https://app.prolific.com/submissions/complete?cc=";
+  for (const auto& [end, code] : {std::pair("completed", "CDONE"), std::pair("refused", "CREFUSED"),
+                                  std::pair("screened_out", "COUT")}) {
+    EXPECT_EQ(run.at(end).at("url"), back + code);
+    EXPECT_NE(run.at(end).at("said").get<std::string>().find(code), std::string::npos) << end;
+  }
+  EXPECT_EQ(run.at("soon"), back + "CDONE");
+  EXPECT_EQ(run.at("session").get<std::string>().find("CDONE"), std::string::npos);
+  EXPECT_EQ(run.at("search"), "") << "what the link held is in no address after it";
+  const json record = {{"lab", places.at("lab").get<std::string>() + "answers.csv"}};
+  const Ended fetched =
+      run_program({"node", "-e", "fetch(process.argv[1]).then(r => r.text()).then(console.log)",
+                   record.at("lab").get<std::string>()});
+  const auto rows = rows_in(fetched.output);
+  ASSERT_FALSE(rows.empty());
+  for (const auto& row : rows) {
+    if (row.at("participant") != rows.front().at("participant")) continue;
+    EXPECT_EQ(row.at("url_PROLIFIC_PID"), "5f01");
+    EXPECT_EQ(row.at("url_STUDY_ID"), "study 1");
+    EXPECT_EQ(row.at("url_SESSION_ID"), "5f01-s");
+    EXPECT_FALSE(row.contains("url_other"));
+  }
 }
 
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {

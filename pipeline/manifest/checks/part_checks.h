@@ -63,6 +63,10 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest);
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
 
+/// Checks the web addresses, codes and URL parameters of a questionnaire's recruitment. No faults
+/// if it has none.
+std::vector<Fault> check_recruitment(const Manifest& manifest);
+
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
 /// checks that can exclude no participant or that never occur. The manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);

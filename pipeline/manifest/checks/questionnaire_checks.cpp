@@ -9,6 +9,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
@@ -213,6 +214,9 @@ class QuestionnaireCheck {
       if (find_column(participant_form, id) != nullptr)
         list_.add(path, "the table of participants has a column with this name",
                   "use another name");
+      if (is_parameter_column(id))
+        list_.add(path, "names that begin with url_ are those of parameters of participants' links",
+                  "use another name");
       if (!id.empty() && !taken.insert(id).second)
         list_.add(path, motion::in_quotes(id) + " is already the id of another question",
                   "give each a different one");
@@ -245,6 +249,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
   append(faults, check_shown_videos(manifest));
+  append(faults, check_recruitment(manifest));
   return faults;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -129,15 +130,20 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
 
 std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Questionnaire questionnaire = questionnaire_of(manifest);
-  // Neither affects a session. Texts count by content, not by the file that they were read from.
+  // None of these affects a session. Texts count by content, not by the file that they were read
+  // from.
   questionnaire.pace = {};
   questionnaire.analysis = {};
+  const Recruitment recruitment = std::exchange(questionnaire.recruitment, {});
   for (TextSource* text :
        {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending})
     text->file.clear();
   questionnaire.scales.file.clear();
   std::string all = title_of(manifest) + "\n" +
                     with_former_keys(written(questionnaire, WritingOptions{})).dump() + "\n";
+  // What is kept of participants counts, but not where they are sent to.
+  if (const auto kept = kept_parameters(recruitment); !kept.empty())
+    all += fmt::format("{}|{}\n", fmt::join(kept, "|"), recruitment.pseudonymise);
   for (const Scale& scale : questionnaire_scales(manifest).scales)
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,

@@ -6,6 +6,7 @@
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/statistics/t_test.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/study/results/summaries.h"
 
@@ -92,9 +93,24 @@ std::set<std::string> ParticipantTable::finished() const {
   return names;
 }
 
+namespace {
+
+/// Parameters of participants' links may identify people: neither reports nor datasets get them.
+void leave_out_parameters(CsvTable& table) {
+  for (std::size_t column = table.header.size(); column-- > 0;) {
+    if (!is_parameter_column(table.header[column].text)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(column);
+    table.header.erase(table.header.begin() + at);
+    for (std::vector<CsvField>& row : table.rows) row.erase(row.begin() + at);
+  }
+}
+
+}  // namespace
+
 ParticipantTable read_participants(const std::filesystem::path& file) {
   ParticipantTable participants{read_csv(file)};
   require_column(participants.table, "participant");
+  leave_out_parameters(participants.table);
   return participants;
 }
 

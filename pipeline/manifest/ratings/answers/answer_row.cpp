@@ -219,9 +219,20 @@ std::vector<std::string> fields_of_row(const AnswerRow& row) {
   return fields;
 }
 
-std::string to_csv(const std::vector<AnswerRow>& rows) {
-  CsvWriter writer(header_of(answer_form));
-  for (const AnswerRow& row : rows) writer.row(fields_of_row(row));
+std::string parameter_column(const std::string& parameter) { return "url_" + parameter; }
+
+bool is_parameter_column(std::string_view column) { return column.starts_with("url_"); }
+
+std::string to_csv(const std::vector<AnswerRow>& rows,
+                   const std::vector<std::string>& url_parameters) {
+  std::vector<std::string> header = header_of(answer_form);
+  for (const std::string& name : url_parameters) header.push_back(parameter_column(name));
+  CsvWriter writer(header);
+  for (const AnswerRow& row : rows) {
+    std::vector<std::string> fields = fields_of_row(row);
+    fields.insert(fields.end(), row.url_parameters.begin(), row.url_parameters.end());
+    writer.row(fields);
+  }
   return writer.text();
 }
 

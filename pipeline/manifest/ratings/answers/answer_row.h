@@ -51,6 +51,8 @@ struct AnswerRow {
   std::uint64_t seed = 0;
   std::string design;  ///< hash of the questionnaire
   bool simulated = false;
+  /// Values of the kept URL parameters of the participant's link; written, but not read.
+  std::vector<std::string> url_parameters;
   Place place;  ///< position of the value in the source file; not written
 
   /// Whether the row is analysed: its value is neither empty nor "NA", and it is not part of
@@ -64,8 +66,16 @@ extern const TableForm answer_form;
 /// Whether a table has the columns that distinguish this form from all other tables of answers.
 bool holds_answer_rows(const CsvTable& table);
 
-/// Returns the rows as CSV, in the given order.
-std::string to_csv(const std::vector<AnswerRow>& rows);
+/// The column of a URL parameter of the participant's link, in tables of answers and participants:
+/// "url_PROLIFIC_PID". No question has such a name.
+std::string parameter_column(const std::string& parameter);
+/// Whether a column is one of those: it may identify a participant, and is no answer.
+bool is_parameter_column(std::string_view column);
+
+/// Returns the rows as CSV, in the given order, with a column for each of the URL parameters, of
+/// which each row has a value.
+std::string to_csv(const std::vector<AnswerRow>& rows,
+                   const std::vector<std::string>& url_parameters = {});
 
 /// Returns the fields of one row in the order of the CSV columns.
 std::vector<std::string> fields_of_row(const AnswerRow& row);

@@ -56,6 +56,20 @@ ordered_json settings_json(const Questionnaire& asked) {
           {"question", asked.question}};
 }
 
+/// What the page needs to know of the recruitment; null if there is none.
+ordered_json recruitment_json(const Questionnaire& asked) {
+  const Recruitment& recruitment = asked.recruitment;
+  if (recruitment == Recruitment()) return nullptr;
+  ordered_json ends = ordered_json::object();
+  for (const auto& [word, end] : session_end_words)
+    if (const std::string address = address_after(recruitment, end); !address.empty())
+      ends[word] = {{"address", address}, {"code", recruitment.prolific.of(end)}};
+  return {{"url_parameters", kept_parameters(recruitment)},
+          {"pseudonymise", recruitment.pseudonymise},
+          {"most_failed_checks", asked.analysis.max_failed_checks},
+          {"ends", std::move(ends)}};
+}
+
 ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
   ordered_json media = ordered_json::array();
   for (const std::string& stimulus : trial.stimuli)
@@ -169,6 +183,8 @@ ordered_json experiment_json(const Manifest& manifest, const std::vector<Session
                              {"choices", choices_json(manifest)},
                              {"demographics", demographics_json(asked.demographics)},
                              {"sessions", sessions_json(manifest, plans)}};
+  if (ordered_json recruitment = recruitment_json(asked); !recruitment.is_null())
+    experiment["recruitment"] = std::move(recruitment);
   add_media(experiment, media);
   return experiment;
 }

@@ -64,6 +64,9 @@ ordered_json dataset_description(const Manifest& manifest) {
     variables.push_back(variable(name, find_column(participant_form, name)->meaning));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
+  for (const std::string& name : kept_parameters(questionnaire_of(manifest).recruitment))
+    variables.push_back(variable(parameter_column(name),
+                                 "value of the URL parameter " + name + " of the participant's link"));
   return {{"@context", "https://schema.org/"},
           {"@type", "Dataset"},
           {"name", title_of(manifest)},

@@ -36,6 +36,17 @@ void for_each_trial(const StudySessions& sessions, const auto& take) {
   }
 }
 
+/// The values of the kept URL parameters in their order; empty where one was not given.
+std::vector<std::string> values_of(const QuestionnaireFacts& facts,
+                                   const std::map<std::string, std::string>& given) {
+  std::vector<std::string> values;
+  for (const std::string& name : facts.recruitment.url_parameters) {
+    const auto found = given.find(name);
+    values.push_back(found == given.end() ? "" : found->second);
+  }
+  return values;
+}
+
 struct ParticipantLink {
   const std::string& base;
   const SessionState& of;
@@ -76,16 +87,27 @@ std::string changes_csv(const ServedStudy& study, const StudySessions& sessions)
 
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<AnswerRow> rows;
+  std::map<std::string, std::map<std::string, std::string>> parameters;  // by participant
+  for (const SessionState& state : sessions.states())
+    for (const StoredRecord& stored : sessions.store().records_of(state.session.index))
+      if (stored.name == consent_record)
+        parameters[state.session.participant] = parsed(stored).url_parameters;
   for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
-    std::ranges::move(rows_of(study.facts, plan, trial, record), std::back_inserter(rows));
+    for (AnswerRow& row : rows_of(study.facts, plan, trial, record)) {
+      row.url_parameters = values_of(study.facts, parameters[plan.participant]);
+      rows.push_back(std::move(row));
+    }
   });
-  return to_csv(rows);
+  return to_csv(rows, study.facts.recruitment.url_parameters);
 }
 
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<std::string> questions;
   for (const DemographicQuestion& question : study.facts.questions)
     questions.push_back(question.id);
+  std::vector<std::string> columns = questions;
+  for (const std::string& name : study.facts.recruitment.url_parameters)
+    columns.push_back(parameter_column(name));
   std::vector<ParticipantRow> rows;
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
@@ -100,9 +122,11 @@ std::string participants_csv(const ServedStudy& study, const StudySessions& sess
       const auto found = std::ranges::find(answers.responses, question, &ItemResponse::item);
       row.answers.push_back(found == answers.responses.end() ? "" : found->value_raw);
     }
+    std::ranges::move(values_of(study.facts, parsed(own.front()).url_parameters),
+                      std::back_inserter(row.answers));
     rows.push_back(std::move(row));
   }
-  return to_csv(rows, questions);
+  return to_csv(rows, columns);
 }
 
 std::string answers_json(const ServedStudy& study, const StudySessions& sessions) {

@@ -42,6 +42,15 @@ std::vector<std::string> read_hashes(const nlohmann::json* list) {
   return hashes;
 }
 
+std::map<std::string, std::string> read_url_parameters(const nlohmann::json* values) {
+  std::map<std::string, std::string> read;
+  if (values == nullptr) return read;
+  RecordReader reader(*values, "\"url_parameters\"");
+  for (const auto& [name, value] : values->items())
+    read[name] = reader.text(name.c_str(), max_parameter_characters);
+  return read;
+}
+
 /// Replaces control characters other than line breaks and tabs by spaces.
 std::string table_text(std::string text) {
   for (char& character : text) {
@@ -117,6 +126,11 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
     asked.is_number = answer == "number";
     facts.questions.push_back(asked);
   }
+  if (const auto found = experiment.find("recruitment"); found != experiment.end()) {
+    facts.recruitment.url_parameters = found->at("url_parameters");
+    facts.recruitment.pseudonymise = found->at("pseudonymise");
+    facts.recruitment.most_failed_checks = found->at("most_failed_checks");
+  }
   const auto& media = experiment.at("media");
   for (const auto& [token, stimulus] : experiment.at("stimuli").items())
     facts.sha256[stimulus.get<std::string>()] = media.at(token).at("sha256");
@@ -145,6 +159,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.viewport_width = reader.count("viewport_width");
   record.measured.viewport_height = reader.count("viewport_height");
   record.measured.refresh_hz = reader.amount("refresh_hz", 10'000);
+  record.url_parameters = read_url_parameters(reader.find("url_parameters"));
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);

@@ -23,6 +23,13 @@ struct DemographicQuestion {
   bool required = false;
 };
 
+/// What is needed of a questionnaire's recruitment (recruitment.h).
+struct RecruitmentFacts {
+  std::vector<std::string> url_parameters;  ///< names
+  bool pseudonymise = false;
+  int most_failed_checks = 0;
+};
+
 /// The properties of a questionnaire that are needed, in addition to its plans, to check records
 /// and convert them to rows.
 struct QuestionnaireFacts {
@@ -31,6 +38,7 @@ struct QuestionnaireFacts {
   ResponseScales scales;
   std::vector<std::string> choices;  ///< ids of the choices in emotion trials
   std::vector<DemographicQuestion> questions;
+  RecruitmentFacts recruitment;
   std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< only in a matching experiment
 };
@@ -52,6 +60,8 @@ struct PageRecord {
   std::string started_at;  ///< ISO 8601 time by the participant's clock
   /// Only the columns measured by the browser: counts, times, size of its window, refresh rate.
   AnswerRow measured;
+  /// Only of consent: parameters of the participant's link, by name (or hashes of their values).
+  std::map<std::string, std::string> url_parameters;
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };

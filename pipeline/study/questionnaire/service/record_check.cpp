@@ -86,6 +86,13 @@ void check_consent(const PageRecord& record) {
   check_known_name(record.responses.front(), {"agreed", consent_refused});
 }
 
+void check_url_parameters(const QuestionnaireFacts& facts, const PageRecord& record) {
+  const std::vector<std::string>& kept = facts.recruitment.url_parameters;
+  for (const auto& [name, value] : record.url_parameters)
+    if (record.name != consent_record || std::ranges::find(kept, name) == kept.end())
+      throw RecordFault("a URL parameter is not one of those that this study keeps");
+}
+
 /// Tolerance between the browser's and the server's distance, metres.
 constexpr double distance_slack_m = 1e-9;
 
@@ -123,6 +130,7 @@ void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record) {
   if (record.matching && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no matching trial");
+  check_url_parameters(facts, record);
   if (record.name == consent_record) {
     check_consent(record);
   } else if (record.name == demographics_record) {

@@ -17,6 +17,7 @@
 namespace mien::pipeline {
 
 inline constexpr std::size_t max_name_characters = 64;
+inline constexpr std::size_t max_parameter_characters = 200;
 inline constexpr std::size_t max_comment_characters = 10'000;
 inline constexpr double max_ms = 7.0 * 24 * 3600 * 1000;  // a week
 inline constexpr double max_count = 1e6;

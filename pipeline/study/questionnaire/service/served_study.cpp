@@ -3,6 +3,7 @@
 #include <set>
 
 #include "pipeline/study/questionnaire/experiment/experiment.h"
+#include "pipeline/study/questionnaire/service/recruited.h"
 
 namespace mien::pipeline {
 
@@ -25,6 +26,8 @@ nlohmann::ordered_json shared_part(const ServedStudy& study) {
   for (const auto& [name, value] : study.experiment.items())
     if (name != "sessions" && name != "media" && name != "stimuli") own[name] = value;
   own["media"] = nlohmann::ordered_json::object();
+  if (const auto found = own.find("recruitment"); found != own.end())
+    *found = public_recruitment(*found);
   return own;
 }
 
@@ -62,6 +65,7 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
   own["kept"] = progress.stored;
   own["browser"] = progress.browser;
   own["refused"] = progress.has_refused;
+  if (!progress.destination.is_null()) own["destination"] = progress.destination;
   return own.dump();
 }
 

@@ -8,6 +8,7 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
+#include "pipeline/study/questionnaire/service/recruited.h"
 
 namespace mien::pipeline {
 
@@ -34,20 +35,21 @@ HttpResponse message_page(int status, const std::string& english, const std::str
 }
 
 /// Parses the posted record, checks that its name is that in the path, and returns the response of
-/// `take`.
+/// `take`. Where `salt` is given, the values of URL parameters are replaced by hashes.
 HttpResponse with_record(
-    const HttpRequest& request,
+    const HttpRequest& request, const std::optional<std::string>& salt,
     const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
   if (!is_json(request))
     return http_refusal(415, "type", "this is not JSON", "send Content-Type: application/json");
   constexpr std::size_t deepest = 16;  // nesting of JSON
-  const nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
-                                  ? nlohmann::json(nlohmann::json::value_t::discarded)
-                                  : nlohmann::json::parse(request.body, nullptr, false);
+  nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
+                            ? nlohmann::json(nlohmann::json::value_t::discarded)
+                            : nlohmann::json::parse(request.body, nullptr, false);
   if (text.is_discarded())
     return http_refusal(400, "malformed", "this is not JSON", "load the page again");
   try {
-    const PageRecord record = read_record(text);
+    PageRecord record = read_record(text);
+    if (salt) pseudonymise(record, text, *salt);
     if (record.name != request.path.back()) throw RecordFault("the record belongs to another page");
     return take(record, text.dump());
   } catch (const RecordFault& fault) {
@@ -131,7 +133,8 @@ HttpResponse QuestionnaireService::answer_in_session(const HttpRequest& request,
     return http_json(session_json(study_, state.session.plan, state.session.participant,
                                   {.stored = {state.names.begin(), stored_end},
                                    .browser = state.browser,
-                                   .has_refused = state.has_refused}));
+                                   .has_refused = state.has_refused,
+                                   .destination = destination_of(session)}));
   }
   const std::optional<HttpResponse> file = page_file(name);
   return file ? *file : unknown(request);
@@ -153,7 +156,7 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   const std::string& name = request.path[3];
   if (std::ranges::find(state.names, name) == state.names.end())
     return http_refusal(404, "unknown", "this session has no such page", "load the page again");
-  return with_record(request, [&](const PageRecord& record, const std::string& content) {
+  return with_record(request, salt(), [&](const PageRecord& record, const std::string& content) {
     const SessionPlan plan = sessions_.plan_of(state.session);
     check_record(study_.facts, plan, record);
     if (record.matching)
@@ -181,7 +184,24 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
                        {"remedy", "send the earlier page first"},
                        {"next", given.next}},
                       409);
-  return http_value({{"kept", record.name}});
+  nlohmann::ordered_json kept = {{"kept", record.name}};
+  if (auto destination = destination_of(session); !destination.is_null())
+    kept["destination"] = std::move(destination);
+  return http_value(kept);
+}
+
+std::optional<std::string> QuestionnaireService::salt() const {
+  if (!study_.facts.recruitment.pseudonymise) return std::nullopt;
+  return sessions_.salt();
+}
+
+nlohmann::ordered_json QuestionnaireService::destination_of(int session) const {
+  const SessionState state = sessions_.state(session);
+  if (state.has_refused) return destination_json(study_.experiment, SessionEnd::refused);
+  if (!state.has_finished()) return nullptr;
+  return destination_json(study_.experiment,
+                          completed_end(study_.facts, sessions_.plan_of(state.session),
+                                        sessions_.store().records_of(session)));
 }
 
 HttpResponse QuestionnaireService::answer_media(const HttpRequest& request) const {
@@ -214,7 +234,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
 /// Nothing is stored about visitors who refuse or leave.
 HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
   if (!joining_rate_.allows(request.address)) return http_too_many_requests();
-  return with_record(request, [&](const PageRecord& consent, const std::string& content) {
+  return with_record(request, salt(), [&](const PageRecord& consent, const std::string& content) {
     check_record(study_.facts, study_.plans.front(), consent);
     if (is_refusal(consent)) return http_value({{"kept", consent.name}});
     const std::optional<SessionState> joined = sessions_.join(consent, content);

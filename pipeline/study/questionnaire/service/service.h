@@ -54,6 +54,10 @@ class QuestionnaireService {
   HttpResponse answer_live(const HttpRequest& request);
   HttpResponse take_record(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
+  /// The salt of pseudonyms, if the study keeps hashes of URL parameters.
+  std::optional<std::string> salt() const;
+  /// Where the participant is sent to; null unless the session is finished or refused.
+  nlohmann::ordered_json destination_of(int session) const;
   HttpResponse answer_media(const HttpRequest& request) const;
   std::optional<HttpResponse> page_file(const std::string& name) const;
   HttpResponse answer_join(const HttpRequest& request);

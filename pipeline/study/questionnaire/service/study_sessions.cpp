@@ -21,6 +21,7 @@ constexpr char design_fact[] = "design";
 constexpr char media_fact[] = "media";
 constexpr char lab_fact[] = "lab link";
 constexpr char join_fact[] = "join link";
+constexpr char salt_fact[] = "pseudonym salt";
 
 }  // namespace
 
@@ -58,6 +59,7 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
                       "study report accepts several files of answers");
   lab_link_ = store_.fact(lab_fact).value();
   join_link_ = store_.fact(join_fact).value();
+  salt_ = store_.fact(salt_fact).value_or("");
   load();
 }
 
@@ -72,7 +74,8 @@ void StudySessions::begin() {
                 {design_fact, study_.facts.design},
                 {media_fact, media_hash(study_)},
                 {lab_fact, random_link()},
-                {join_fact, random_link()}},
+                {join_fact, random_link()},
+                {salt_fact, random_link()}},
                sessions);
 }
 

@@ -79,6 +79,8 @@ class StudySessions {
 
   std::string lab_link() const { return lab_link_; }
   std::string join_link() const { return join_link_; }
+  /// Random text of this store, which pseudonyms are made with (recruited.h).
+  std::string salt() const { return salt_; }
 
   /// The plan of a session, with the name of the session's participant.
   SessionPlan plan_of(const StoredSession& session) const;
@@ -100,7 +102,7 @@ class StudySessions {
   const ServedStudy& study_;
   SessionStore& store_;
   ClockSeconds clock_;
-  std::string lab_link_, join_link_;
+  std::string lab_link_, join_link_, salt_;
   mutable std::mutex mutex_;
   std::vector<SessionState> states_;
   std::map<std::string, int> by_link_;

@@ -1,4 +1,5 @@
 import type { MatchingRecord } from "../matching/record";
+import type { Destination, Recruitment } from "./recruitment";
 
 /** What a questionnaire shows, as `mien study export` and `serve` write it. */
 export interface Experiment {
@@ -14,6 +15,9 @@ export interface Experiment {
   /** What trials offer to choose from: as it is shown. */
   choices?: Record<string, string>;
   demographics: Demographic[];
+  recruitment?: Recruitment;
+  /** Where the participant of a finished session is sent to; from a server. */
+  destination?: Destination;
   media: Record<string, Media>;
   /** Which stimulus a token stands for; never sent by a server. */
   stimuli?: Record<string, string>;
@@ -108,6 +112,7 @@ export interface Planned<Own extends { participant: string } = Session> {
   browser?: string;
   refused?: boolean;
   joining?: boolean;
+  destination?: Destination;
 }
 
 /** What is kept of a page: of the consent, the demographics, a trial or the ending. */
@@ -129,6 +134,8 @@ export interface PageRecord {
   viewport_height?: number;
   refresh_hz?: number | null;
   media_sha256?: string[];
+  /** Of consent: parameters of the participant's link. */
+  url_parameters?: Record<string, string>;
   /** Of a trial of a matching experiment. */
   matching?: MatchingRecord;
 }

@@ -13,8 +13,9 @@ interface Jatos {
   setStudySessionData(value: unknown): Promise<unknown>;
   submitResultData(text: string): Promise<unknown>;
   uploadResultFile?(text: string, name: string): Promise<unknown>;
-  endStudyWithoutRedirect?(): Promise<unknown>;
+  /** Leads to the study's own End Redirect URL, where it has one. */
   endStudy(): Promise<unknown>;
+  endStudyAndRedirect?(address: string): Promise<unknown>;
 }
 
 const jatosOfWindow = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
@@ -25,6 +26,10 @@ function loadedJatos(): Promise<Jatos> {
   if (!jatos) throw new Error("This questionnaire must be opened through JATOS.");
   return new Promise((ready) => jatos.onLoad(() => ready(jatos)));
 }
+
+/** The parameters of the study link, which JATOS takes away from the page's own address. */
+export const jatosParameters = async (): Promise<Record<string, string>> =>
+  (await loadedJatos()).urlQueryParameters ?? {};
 
 /**
  * Counts the session that is taken in the batch session, which all participants of a batch share.
@@ -100,7 +105,11 @@ export async function jatosStore<Own extends { participant: string }>(
         for (const [name, text] of files)
           await send(() => jatos.uploadResultFile!(text, `${session.participant}-${name}`), () => {});
       }
-      await (jatos.endStudyWithoutRedirect ?? jatos.endStudy).call(jatos);
+    },
+    leave(address) {
+      if (!address) void jatos.endStudy();
+      else if (jatos.endStudyAndRedirect) void jatos.endStudyAndRedirect(address);
+      else void jatos.endStudy().then(() => location.assign(address));
     },
   };
   return store;

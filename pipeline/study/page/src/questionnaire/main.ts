@@ -4,18 +4,21 @@ import { saveFiles } from "./files";
 import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
+import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters, wayBack,
+  type Destination, type Parameters } from "./recruitment";
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
 import { experimentOf, expectOwn, mayBegin, showEnding } from "./session_page";
 import type { Store } from "./store";
-import { modeOfPage, root, show, showClosed, storeOf, type Mode } from "./surroundings";
+import { addressOf, modeOfPage, root, show, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
 
 /** The timeline: what is kept already is left out. */
-function timelineOf(mode: Mode, experiment: Experiment, store: Store, texts: Texts) {
+function timelineOf(
+  mode: Mode, experiment: Experiment, store: Store, texts: Texts, parameters: Parameters) {
   const { session } = store;
   const stock: Stock = new Map();
   const keep = async (record: PageRecord, page: HTMLElement) => {
@@ -46,11 +49,14 @@ function timelineOf(mode: Mode, experiment: Experiment, store: Store, texts: Tex
         keep: async (given: GivenOnPage, page: HTMLElement) => {
           const agreed = given.pressed === 0;
           const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
-          if (agreed || mode !== "static")
-            await keep(pageRecord("consent", store.name, { ...given, responses }), page);
+          const record = pageRecord("consent", store.name, { ...given, responses });
+          if (agreed && experiment.recruitment)
+            record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
+          if (agreed || mode !== "static") await keep(record, page);
           if (agreed) return;
           if (mode === "static") store.clear?.();
-          show(texts.thanks, [texts.refused]);
+          const back = wayBack(texts, destinationOf(experiment.recruitment, "refused"), parameters, false, store.leave);
+          show(texts.thanks, [back.length ? texts.refusedHere : texts.refused], ...back);
           await new Promise(() => {});  // nothing follows
         } }),
     });
@@ -84,24 +90,34 @@ function timelineOf(mode: Mode, experiment: Experiment, store: Store, texts: Tex
   return timeline;
 }
 
+/** Where the participant of a completed session is sent to: a server tells that itself. */
+function destinationAtEnd(mode: Mode, experiment: Experiment, store: Store): Destination | undefined {
+  if (mode === "served" || !experiment.recruitment) return store.destination?.();
+  const { recruitment } = experiment;
+  return destinationOf(recruitment, completedEnd(recruitment, store.session, store.records));
+}
+
 async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checked);
   const texts = textsOf(experiment.language);
-  if (!mayBegin(experiment, texts)) return;
+  const given = parametersOf(experiment, await addressOf(mode));
+  if (!mayBegin(experiment, texts, given)) return;
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => answersCsv(experiment, session, records),
     files: (session, records) => ({ "participants.csv": participantsCsv(experiment, session, records) }),
   });
+  const parameters = rememberedParameters(experiment, store.name, given);
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
     const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
-    const running = jsPsych.run(timelineOf(mode, experiment, store, texts) as never);
+    const running = jsPsych.run(timelineOf(mode, experiment, store, texts, parameters) as never);
     root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
     await running;
     await store.finish();
   }
-  showEnding(mode, experiment, store, texts, () => saveFiles(experiment, store));
+  showEnding(mode, experiment, store, texts, () => saveFiles(experiment, store),
+    { parameters, destination: destinationAtEnd(mode, experiment, store) });
 }
 
 main().catch((error: unknown) => showClosed(error, textsOf(document.documentElement.lang)));

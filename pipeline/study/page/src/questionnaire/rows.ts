@@ -88,12 +88,21 @@ export function answersCsv(
     const record = records[`trial-${trial.number}`];
     return record ? rowsOf(experiment, session, trial, record) : [];
   });
-  return csv(answerColumns, rows);
+  const own = parameterFields(experiment, records);
+  return csv([...answerColumns, ...Object.keys(own)], rows.map((row) => ({ ...row, ...own })));
+}
+
+/** What is kept of the participant's link, by column. */
+function parameterFields(
+  experiment: Pick<Experiment, "recruitment">, records: Record<string, PageRecord>): Record<string, string> {
+  const kept = records.consent?.url_parameters ?? {};
+  return Object.fromEntries((experiment.recruitment?.url_parameters ?? [])
+    .map((name) => [`url_${name}`, tableText(kept[name] ?? "")]));
 }
 
 /** Who took part, as CSV of one row. */
 export function participantsCsv(
-  experiment: Pick<Experiment, "demographics" | "design">, session: { participant: string }, records: Record<string, PageRecord>,
+  experiment: Pick<Experiment, "demographics" | "design" | "recruitment">, session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
   const questions = experiment.demographics.map(({ id }) => id);
   const row: Record<(typeof participantColumns)[number], string> & Record<string, string> = {
@@ -105,5 +114,6 @@ export function participantsCsv(
   };
   for (const { item, value_raw: valueRaw } of records.demographics?.responses ?? [])
     row[item] = String(valueRaw);
-  return csv([...participantColumns, ...questions], [row]);
+  const own = parameterFields(experiment, records);
+  return csv([...participantColumns, ...questions, ...Object.keys(own)], [{ ...row, ...own }]);
 }

@@ -5,6 +5,7 @@ import type { SavedFile } from "./files";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { SessionClosed, type Store } from "./store";
+import { destinationOf, wayBack, type Destination, type Parameters, type Recruitment } from "./recruitment";
 import { base, show, type Mode } from "./surroundings";
 import type { Texts } from "./texts";
 
@@ -14,8 +15,15 @@ export interface Frame {
   language: string;
   texts: { ending: string[] };
   settings: { phones: "refused" | "served" };
+  recruitment?: Recruitment;
   browser?: string;
   refused?: boolean;
+}
+
+/** How a participant came, and where he is sent to. */
+export interface Journey {
+  parameters: Parameters;
+  destination?: Destination;
 }
 
 /** The experiment that the server gives, or a script beside the page; `checked` refuses what is none. */
@@ -29,12 +37,14 @@ export async function experimentOf<Own>(mode: Mode, checked: (given: unknown) =>
   return checked((globalThis as { mienExperiment?: unknown }).mienExperiment);
 }
 
-/** Gives the page its language and title. False on a phone where none is wanted: it says so. */
-export function mayBegin(experiment: Frame, texts: Texts): boolean {
+/** Gives the page its language and title. False on a phone where none is wanted: it says so, and leads back. */
+export function mayBegin(experiment: Frame, texts: Texts, parameters: Parameters = {}): boolean {
   document.documentElement.lang = experiment.language;
   document.title = experiment.title;
   const isRefused = experiment.settings.phones === "refused" && isPhone();
-  if (isRefused) show(experiment.title, [texts.phone]);
+  const destination = destinationOf(experiment.recruitment, "screened_out");
+  if (isRefused)
+    show(experiment.title, [texts.phone], ...wayBack(texts, destination, parameters, false));
   return !isRefused;
 }
 
@@ -47,8 +57,12 @@ export function expectOwn(experiment: Frame, store: { name: string }): void {
 /** Thanks; where no server keeps the answers, with their files, which `save` gives, and the way to the next
     participant. */
 export function showEnding(
-  mode: Mode, experiment: Frame, store: Pick<Store, "clear">, texts: Texts, save: () => SavedFile[]): void {
-  if (mode !== "static") return show(texts.thanks, [...experiment.texts.ending, texts.finished]);
+  mode: Mode, experiment: Frame, store: Pick<Store, "clear" | "leave">, texts: Texts, save: () => SavedFile[],
+  { parameters, destination }: Journey = { parameters: {} }): void {
+  const back = wayBack(texts, destination, parameters, mode !== "static", store.leave);
+  if (mode !== "static")
+    return show(texts.thanks,
+      [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back);
   const again = save().map((file) => button(texts.saveFile(file.name), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
@@ -56,5 +70,5 @@ export function showEnding(
     location.replace(location.pathname);
   });
   show(texts.thanks, [...experiment.texts.ending, texts.finishedFiles],
-    element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
+    ...back, element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
 }

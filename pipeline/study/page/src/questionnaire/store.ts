@@ -1,4 +1,5 @@
 import type { PageRecord, Planned, Session } from "./experiment";
+import type { Destination } from "./recruitment";
 
 type Named = { participant: string };
 
@@ -15,6 +16,10 @@ export interface Store<Own extends Named = Session> {
   keep(record: PageRecord, wait: (why: "saving" | "failed") => void): Promise<void>;
   /** After the last record. */
   finish(): Promise<void>;
+  /** Where the participant is sent to, once a server has told it. */
+  destination?(): Destination | undefined;
+  /** Ends the session where another program around the page does that, and leads to the address. */
+  leave?(address: string | undefined): void;
   /** Forgets the session, where the next participant may sit down at the same browser. */
   clear?(): void;
   /** Whether the files of the session were saved once; in folders. */
@@ -148,8 +153,14 @@ const closing: Record<string, SessionClosed["why"]> = {
   enough: "enough",
 };
 
+interface Answered {
+  /** Of those who join: where their session is. */
+  session?: string;
+  destination?: Destination;
+}
+
 /** Posts a record beside the page until the server says that it has it; its answer. */
-async function post(base: string, record: PageRecord, wait: Wait): Promise<{ session?: string }> {
+async function post(base: string, record: PageRecord, wait: Wait): Promise<Answered> {
   for (let tries = 0; ; tries += 1) {
     const slow = setTimeout(() => wait("saving"), 400);
     try {
@@ -160,7 +171,7 @@ async function post(base: string, record: PageRecord, wait: Wait): Promise<{ ses
         cache: "no-store",
       });
       const said = (await answer.json().catch(() => ({}))) as
-        { session?: string; error?: string; wrong?: string };
+        Answered & { error?: string; wrong?: string };
       if (answer.ok) return said;
       const closed = answer.status === 409 ? closing[said.error ?? ""] : undefined;
       if (closed) throw new SessionClosed(closed);
@@ -187,6 +198,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     { participant: session.participant, name: randomName(), records: {} };
   drawer.write(own);
   const kept = new Set(experiment.kept ?? []);
+  let destination = experiment.destination;
   return {
     session,
     name: own.name,
@@ -196,7 +208,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
       own.records = { [record.record]: record };  // what a reload would send again
       drawer.write(own);
       try {
-        await post(base, record, wait);
+        destination = (await post(base, record, wait)).destination;
       } finally {
         own.records = {};
         drawer.write(own);
@@ -204,6 +216,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
       kept.add(record.record);
     },
     async finish() {},
+    destination: () => destination,
   };
 }
 

@@ -1,6 +1,6 @@
 import { element, heading, paragraphs } from "./elements";
 import type { Planned } from "./experiment";
-import { jatosStore, type Tables } from "./jatos";
+import { jatosParameters, jatosStore, type Tables } from "./jatos";
 import { folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
@@ -14,6 +14,10 @@ export function modeOfPage(): Mode {
   const meta = document.querySelector<HTMLMetaElement>('meta[name="mien-mode"]');
   return meta?.content === "served" || meta?.content === "jatos" ? meta.content : "static";
 }
+
+/** The parameters of the participant's link. */
+export const addressOf = async (mode: Mode): Promise<URLSearchParams> =>
+  new URLSearchParams(mode === "jatos" ? await jatosParameters() : location.search);
 
 /** Where the page lies, with a slash at its end. */
 export const base = (): string => location.pathname.replace(/[^/]*$/, "");

@@ -180,7 +180,7 @@ globalThis.jatos = {
   setStudySessionData: async (value) => { kept.session = value; keep(); },
   submitResultData: async (text) => { kept.result = text; keep(); },
   uploadResultFile: async (text, name) => { (kept.files ??= {})[name] = text; keep(); },
-  endStudyWithoutRedirect: async () => { kept.ended = true; keep(); },
+  endStudy: async () => { kept.ended = true; keep(); },
 };
 `;
 
@@ -200,11 +200,13 @@ async function jatos() {
     await page.reload();
     return true;
   } });
+  const told = await page.evaluate(() => !!JSON.parse(sessionStorage.jatos).ended);
+  await page.locator(".leave").click();
   await page.waitForFunction(() => JSON.parse(sessionStorage.jatos).ended);
   const kept = await page.evaluate(() => JSON.parse(sessionStorage.jatos));
   server.close();
   return { answers: kept.result, files: Object.keys(kept.files ?? {}).sort(), taken: kept.batch.mien_taken,
-    troubles, reloads };
+    troubles, reloads, ended_before_it_was_read: told };
 }
 
 /**
@@ -323,6 +325,57 @@ async function laboratory() {
     participants: [before.length, between.length, after.length], states: after.map(({ state }) => state) };
 }
 
+/**
+ * Participants whom Prolific sends to a real mien study serve; FOLDER is a file: {"join": …}. One goes to the
+ * end with a reload on the way, one does not agree, one has a phone. Prolific itself answers here.
+ */
+async function prolific() {
+  const { join: all } = JSON.parse(readFileSync(folder, "utf8"));
+  const linkOf = (id) => `${all}?PROLIFIC_PID=${id}&STUDY_ID=study%201&SESSION_ID=${id}-s&other=1`;
+  const text = (page) => page.locator("main").innerText();
+  const troubles = [];
+  const come = async (id, how) => {
+    const opened = await open(linkOf(id), how);
+    await opened.page.context().route("https://app.prolific.com/**", (route) =>
+      route.fulfill({ contentType: "text/html", body: "<p>Prolific" }));
+    troubles.push(opened.troubles);
+    return opened.page;
+  };
+  const backOf = async (page) => {
+    const said = await text(page);
+    await page.locator(".leave").click();
+    await page.waitForURL("https://app.prolific.com/**");
+    return { said, url: page.url() };
+  };
+  const page = await come("5f01");
+  let session = "";
+  let reloads = 0;
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2 || reloads > 0) return false;
+    reloads += 1;
+    session = await page.evaluate(async () => (await fetch("session.json")).text());
+    await page.reload();
+    return true;
+  } });
+  const own = new URL(page.url());
+  await page.reload();  // at the end: the way back is still there
+  await page.waitForSelector(".leave");
+  await page.locator(".quiet").click();  // and is not taken by itself
+  const completed = await backOf(page);
+  const refusing = await come("5f02");
+  await refusing.locator(".page .button").nth(1).click();
+  await refusing.waitForSelector(".leave");
+  const refused = await backOf(refusing);
+  const onPhone = await come("5f03", phone);
+  await onPhone.waitForSelector(".leave");
+  const screenedOut = await backOf(onPhone);
+  const soon = await come("5f04");
+  await take(soon);
+  await soon.waitForURL("https://app.prolific.com/**", { timeout: 20000 });  // by itself
+  return { completed, refused, screened_out: screenedOut, session, search: own.search,
+    path: own.pathname, soon: soon.url(), troubles: troubles.flat() };
+}
+
 /** What keys do on the page of consent and among answers; what a phone is told of them. */
 async function singleKeys() {
   const { page, troubles } = await open(`${onDisk}?participant=p001`);
@@ -436,7 +489,7 @@ async function takeToTrial(page) {
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
-  served, laboratory, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
+  served, laboratory, prolific, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

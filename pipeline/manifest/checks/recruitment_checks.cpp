@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/recruitment.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+bool is_parameter_name(const std::string& name) {
+  return !name.empty() && name.size() <= 64 && std::ranges::all_of(name, [](unsigned char one) {
+    return std::isalnum(one) != 0 || one == '_' || one == '-';
+  });
+}
+
+/// Checks the address of a redirect, and its placeholders.
+void check_redirect(FaultList& list, const std::string& path, const std::string& address) {
+  if (!address.starts_with("https://") && !address.starts_with("http://"))
+    list.add(path, motion::in_quotes(address) + " is no web address",
+             "begin it with https://, as the recruitment service shows it");
+  const bool is_closed = std::ranges::count(address, '{') == std::ranges::count(address, '}') &&
+                         std::ranges::all_of(placeholders_of(address), is_parameter_name);
+  if (!is_closed)
+    list.add(path, "has a placeholder that names no URL parameter",
+             "write the parameter's name in braces: {survey_code}");
+  const bool has_blank = std::ranges::any_of(
+      address, [](unsigned char one) { return one <= ' ' || one == '"' || one == '<'; });
+  if (is_closed && has_blank)
+    list.add(path, "has a character that no web address has", "copy it again");
+}
+
+}  // namespace
+
+std::vector<Fault> check_recruitment(const Manifest& manifest) {
+  if (!manifest.questionnaire) return {};
+  const Recruitment& recruitment = manifest.questionnaire->recruitment;
+  FaultList list(manifest.places);
+  const std::string at = member_path("questionnaire", "recruitment");
+  std::vector<std::string> met;
+  for (std::size_t i = 0; i < recruitment.url_parameters.size(); ++i) {
+    const std::string& name = recruitment.url_parameters[i];
+    if (std::ranges::find(met, name) != met.end())
+      list.add(element_path(member_path(at, "url_parameters"), i),
+               motion::in_quotes(name) + " appears twice", "name it once");
+    met.push_back(name);
+  }
+  for (const auto& [word, end] : session_end_words) {
+    const std::string& address = recruitment.redirect.of(end);
+    if (address.empty()) continue;
+    const std::string path = member_path(member_path(at, "redirect"), std::string(word));
+    check_redirect(list, path, address);
+    if (!recruitment.prolific.of(end).empty())
+      list.add(path, "participants are sent back to Prolific at this end already",
+               "remove either this address or prolific's code");
+  }
+  if (recruitment.pseudonymise && kept_parameters(recruitment).empty())
+    list.add(member_path(at, "pseudonymise"), "there are no URL parameters to hash",
+             "add url_parameters: [PROLIFIC_PID], or remove it");
+  return list.take();
+}
+
+}  // namespace mien::pipeline
