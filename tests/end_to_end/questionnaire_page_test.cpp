@@ -259,10 +259,10 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   EXPECT_EQ(run.at("soon"), back + "CDONE");
   EXPECT_EQ(run.at("session").get<std::string>().find("CDONE"), std::string::npos);
   EXPECT_EQ(run.at("search"), "") << "what the link held is in no address after it";
-  const json record = {{"lab", places.at("lab").get<std::string>() + "answers.csv"}};
   const Ended fetched =
-      run_program({"node", "-e", "fetch(process.argv[1]).then(r => r.text()).then(console.log)",
-                   record.at("lab").get<std::string>()});
+      run_program({"node", "-e",
+                   "fetch(process.argv[1]).then(r => r.text()).then(t => process.stdout.write(t))",
+                   places.at("lab").get<std::string>() + "answers.csv"});
   const auto rows = rows_in(fetched.output);
   ASSERT_FALSE(rows.empty());
   for (const auto& row : rows) {
