@@ -49,10 +49,11 @@ Vec3 in_room(const Vec3& place, PlaceFrame frame, const BodyFrame& body, const V
 
 Goal goal_of(const AnimatorKey& key, const Clip& clip) {
   const double seconds = key.at.seconds(clip.frames_per_second);
-  const double end = clip.duration_seconds();
-  if (!(seconds >= 0.0 && (seconds < end || (!clip.loops && seconds <= end + moment_tolerance)))) {
+  const double last = clip.duration_seconds();
+  const bool is_within = seconds < last || (!clip.loops && seconds <= last + moment_tolerance);
+  if (!(seconds >= 0.0 && is_within)) {
     throw Error("a key is at " + seconds_in_words(seconds) + ", but the motion lasts " +
-                    seconds_in_words(end),
+                    seconds_in_words(last),
                 clip.loops ? "give a moment of its first cycle" : "give a moment of the motion");
   }
   if (!(key.reach > 0.0)) throw Error("a key's reach is not above 0", "give seconds, such as 0.5");
@@ -263,14 +264,14 @@ class KeySolver {
         if (!place(goal, hand)) continue;
         const bool left = hand == BodyEnd::left_hand;
         const JointTransforms carried = world_without(goal, part_of(hand));
-        const auto swing = [&](const Vec3& there) {
+        const auto swing_arm = [&](const Vec3& there) {
           const ArmSwing swing = swing_to(clip_.body, carried, left, there);
           curves_.put_key(part_of(hand), key_at(goal, swing.swing));
           curves_.put_key(*stretch_of(part_of(hand)), key_at(goal, Vec3(swing.stretch, 0, 0)));
         };
-        swing(*place(goal, hand));
+        swing_arm(*place(goal, hand));
         const Vec3 reached = place_of(clip_.body, world_at(goal), hand);
-        if ((reached - *place(goal, hand)).norm() > 1e-9) swing(reached);
+        if ((reached - *place(goal, hand)).norm() > 1e-9) swing_arm(reached);
       }
     }
   }

@@ -207,7 +207,9 @@ TEST(LimbDynamics, GiveWayToMoreWeight) {
   for (const double weight : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     const double angle = arm_angle(with_limb_dynamics(clip, {}, weight), 0);
     EXPECT_LT(angle, last) << weight;
-    if (weight == 1.0) EXPECT_EQ(angle, own);
+    if (weight == 1.0) {
+      EXPECT_EQ(angle, own);
+    }
     last = angle;
   }
   // Additional weight against ordinary muscles.

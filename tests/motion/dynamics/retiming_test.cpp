@@ -109,7 +109,9 @@ TEST(Retiming, IsItsOwnInverse) {
       for (size_t f = 0; f < found.sources.size(); ++f)
         EXPECT_NEAR(found.target(found.sources[f]), static_cast<double>(f), 0.02);
       EXPECT_EQ(found.sources.front(), 0.0);
-      if (!loops) EXPECT_EQ(found.sources.back(), 89.0);
+      if (!loops) {
+        EXPECT_EQ(found.sources.back(), 89.0);
+      }
       EXPECT_NEAR(retimed_share(1.0, found), 1.0, 1e-12);
       EXPECT_NEAR(retimed_share(0.0, found), 0.0, 1e-12);
     }
