@@ -12,24 +12,37 @@ namespace mien::pipeline {
 namespace {
 
 bool is_parameter_name(const std::string& name) {
-  return !name.empty() && name.size() <= 64 && std::ranges::all_of(name, [](unsigned char one) {
+  const auto is_plain = [](unsigned char one) {
     return std::isalnum(one) != 0 || one == '_' || one == '-';
-  });
+  };
+  return !name.empty() && name.size() <= 64 && std::isalpha(static_cast<unsigned char>(name[0])) &&
+         std::ranges::all_of(name, is_plain);
+}
+
+/// What is wrong with the placeholders of a redirect; empty if nothing is.
+std::string placeholder_fault(const std::string& address) {
+  for (const char* foreign : {"{{", "%SURVEY_CODE%"})
+    if (address.find(foreign) != address.npos)
+      return "has a placeholder as recruitment services write it, " + motion::in_quotes(foreign);
+  for (const std::string& name : placeholders_of(address))
+    if (!is_parameter_name(name))
+      return motion::in_quotes("{" + name + "}") + " names no URL parameter";
+  if (std::ranges::count(address, '{') != std::ranges::count(address, '}'))
+    return "has a brace without its counterpart";
+  return "";
 }
 
 /// Checks the address of a redirect, and its placeholders.
 void check_redirect(FaultList& list, const std::string& path, const std::string& address) {
   if (!address.starts_with("https://") && !address.starts_with("http://"))
     list.add(path, motion::in_quotes(address) + " is no web address",
-             "begin it with https://, as the recruitment service shows it");
-  const bool is_closed = std::ranges::count(address, '{') == std::ranges::count(address, '}') &&
-                         std::ranges::all_of(placeholders_of(address), is_parameter_name);
-  if (!is_closed)
-    list.add(path, "has a placeholder that names no URL parameter",
-             "write the parameter's name in braces: {survey_code}");
+             "begin it with https:// (or http://), as the recruitment service shows it");
+  const std::string fault = placeholder_fault(address);
   const bool has_blank = std::ranges::any_of(
       address, [](unsigned char one) { return one <= ' ' || one == '"' || one == '<'; });
-  if (is_closed && has_blank)
+  if (!fault.empty())
+    list.add(path, fault, "write the parameter's name in single braces: {survey_code}");
+  else if (has_blank)
     list.add(path, "has a character that no web address has", "copy it again");
 }
 

@@ -64,9 +64,11 @@ ordered_json dataset_description(const Manifest& manifest) {
     variables.push_back(variable(name, find_column(participant_form, name)->meaning));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
-  for (const std::string& name : kept_parameters(questionnaire_of(manifest).recruitment))
+  const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
+  for (const std::string& name : kept_parameters(recruitment))
     variables.push_back(variable(parameter_column(name),
-                                 "value of the URL parameter " + name + " of the participant's link"));
+                                 fmt::format("{} of the URL parameter {} of the participant's link",
+                                             recruitment.pseudonymise ? "hash" : "value", name)));
   return {{"@context", "https://schema.org/"},
           {"@type", "Dataset"},
           {"name", title_of(manifest)},
@@ -82,6 +84,28 @@ std::string answers_readme() {
          "one file of answers and one about the participant. ../dataset_description.json "
          "documents\n"
          "their columns.\n";
+}
+
+/// What the experimenter enters at the recruitment service; empty if there is none.
+std::string recruitment_readme(const Recruitment& recruitment) {
+  const std::vector<std::string> kept = kept_parameters(recruitment);
+  if (recruitment == Recruitment()) return "";
+  std::string text =
+      "Recruited participants\n"
+      "    Use JATOS, or mien study serve: a page on a web server saves the answers on the\n"
+      "    participant's computer.\n";
+  if (recruitment.prolific != TextOfEnds())
+    text +=
+        "    At Prolific, enter the address of the study followed by\n"
+        "        "
+        "?PROLIFIC_PID={{%PROLIFIC_PID%}}&STUDY_ID={{%STUDY_ID%}}&SESSION_ID={{%SESSION_ID%}}\n";
+  text += fmt::format("    Kept of the participant's link{}: {}.\n",
+                      recruitment.pseudonymise ? ", as hashes" : "",
+                      kept.empty() ? "nothing" : fmt::format("{}", fmt::join(kept, ", ")));
+  for (const auto& [word, end] : session_end_words)
+    if (const std::string address = address_after(recruitment, end); !address.empty())
+      text += fmt::format("    {:<17} {}\n", std::string(word) + ":", address);
+  return text + "    experiment.js shows these addresses and codes to those who read scripts.\n\n";
 }
 
 std::string export_readme(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
@@ -117,6 +141,7 @@ std::string export_readme(const Manifest& manifest, const std::vector<SessionPla
       first, questionnaire.view == ShownAs::turn ? ", turn_view.js" : "", manifest.study, first);
   if (questionnaire.phones == Phones::refused)
     text += "Participants on phones are turned away with a message, as set in the manifest.\n\n";
+  text += recruitment_readme(questionnaire.recruitment);
   text += fmt::format(
       "Analysis\n"
       "    Put the CSV files into answers/data and run\n"

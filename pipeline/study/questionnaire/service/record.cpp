@@ -42,15 +42,6 @@ std::vector<std::string> read_hashes(const nlohmann::json* list) {
   return hashes;
 }
 
-std::map<std::string, std::string> read_url_parameters(const nlohmann::json* values) {
-  std::map<std::string, std::string> read;
-  if (values == nullptr) return read;
-  RecordReader reader(*values, "\"url_parameters\"");
-  for (const auto& [name, value] : values->items())
-    read[name] = reader.text(name.c_str(), max_parameter_characters);
-  return read;
-}
-
 /// Replaces control characters other than line breaks and tabs by spaces.
 std::string table_text(std::string text) {
   for (char& character : text) {
@@ -58,6 +49,20 @@ std::string table_text(std::string text) {
     if ((code < 0x20 && character != '\n' && character != '\t') || code == 0x7f) character = ' ';
   }
   return text;
+}
+
+/// Values in one line each; those that are empty are left out.
+std::map<std::string, std::string> read_url_parameters(const nlohmann::json* values) {
+  std::map<std::string, std::string> read;
+  if (values == nullptr) return read;
+  RecordReader reader(*values, "\"url_parameters\"");
+  for (const auto& [name, unused] : values->items()) {
+    std::string value = table_text(reader.text(name.c_str(), max_parameter_characters));
+    std::ranges::replace_if(
+        value, [](char one) { return one == '\n' || one == '\t'; }, ' ');
+    if (!value.empty()) read[name] = std::move(value);
+  }
+  return read;
 }
 
 const std::string& hash_at(const std::map<std::string, std::string>& hashes,

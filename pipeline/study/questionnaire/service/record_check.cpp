@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -90,7 +92,8 @@ void check_url_parameters(const QuestionnaireFacts& facts, const PageRecord& rec
   const std::vector<std::string>& kept = facts.recruitment.url_parameters;
   for (const auto& [name, value] : record.url_parameters)
     if (record.name != consent_record || std::ranges::find(kept, name) == kept.end())
-      throw RecordFault("a URL parameter is not one of those that this study keeps");
+      throw RecordFault(
+          fmt::format("this study keeps no URL parameter {}", motion::in_quotes(name)));
 }
 
 /// Tolerance between the browser's and the server's distance, metres.

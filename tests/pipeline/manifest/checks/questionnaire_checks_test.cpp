@@ -86,7 +86,11 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
       {"participants: 4, scales: all, recruitment: {redirect: {completed: 'https://x/{a b}'}}",
        "questionnaire.recruitment.redirect.completed", "names no URL parameter"},
       {"participants: 4, scales: all, recruitment: {redirect: {completed: 'https://x/{a'}}",
-       "questionnaire.recruitment.redirect.completed", "names no URL parameter"},
+       "questionnaire.recruitment.redirect.completed", "without its counterpart"},
+      {"participants: 4, scales: all, recruitment: {redirect: {completed: 'https://x/{{%A%}}'}}",
+       "questionnaire.recruitment.redirect.completed", "as recruitment services write it"},
+      {"participants: 4, scales: all, recruitment: {url_parameters: [__proto__]}",
+       "questionnaire.recruitment.url_parameters[0]", "begin with a letter"},
       {"participants: 4, scales: all, recruitment: {prolific: {completed: C1}, redirect: "
        "{completed: 'https://x'}}",
        "questionnaire.recruitment.redirect.completed", "remove either"},

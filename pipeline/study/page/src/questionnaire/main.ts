@@ -4,7 +4,8 @@ import { saveFiles } from "./files";
 import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
-import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters, wayBack,
+import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters,
+  rememberParameters, wayBack,
   type Destination, type Parameters } from "./recruitment";
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
@@ -50,8 +51,10 @@ function timelineOf(
           const agreed = given.pressed === 0;
           const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
           const record = pageRecord("consent", store.name, { ...given, responses });
-          if (agreed && experiment.recruitment)
+          if (agreed && experiment.recruitment) {
+            rememberParameters(experiment, store.name, parameters);
             record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
+          }
           if (agreed || mode !== "static") await keep(record, page);
           if (agreed) return;
           if (mode === "static") store.clear?.();

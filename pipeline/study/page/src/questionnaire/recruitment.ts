@@ -42,16 +42,19 @@ export function parametersOf(experiment: Recruited, given: URLSearchParams): Par
   return found;
 }
 
+const memoryOf = (experiment: Recruited, session: string): Drawer =>
+  new Drawer(`mien/${experiment.design}/${session}/link`);
+
 /**
  * The parameters of the link by which the participant of this browser session came: a reload, and
  * the session that a link of all leads to, have them no more in their own addresses.
  */
-export function rememberedParameters(experiment: Recruited, session: string, given: Parameters): Parameters {
-  if (!experiment.recruitment) return {};
-  const drawer = new Drawer(`mien/${experiment.design}/${session}/link`);
-  const all = { ...drawer.read<Parameters>(), ...given };
-  drawer.write(all);
-  return all;
+export const rememberedParameters = (experiment: Recruited, session: string, given: Parameters): Parameters =>
+  experiment.recruitment ? { ...memoryOf(experiment, session).read<Parameters>(), ...given } : {};
+
+/** Of whoever agrees. */
+export function rememberParameters(experiment: Recruited, session: string, parameters: Parameters): void {
+  if (Object.keys(parameters).length) memoryOf(experiment, session).write(parameters);
 }
 
 /** As they are kept: where values are hashed, a server does that, and elsewhere this page. */

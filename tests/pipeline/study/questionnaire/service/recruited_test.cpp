@@ -120,6 +120,14 @@ TEST_P(Recruited, AreSentBackByHowTheirSessionEnded) {
   EXPECT_EQ(again.at("destination").at("address"), "https://back/?cc=DONE");
 }
 
+TEST_P(Recruited, HaveValuesOfOneLine) {
+  join("b1", {{"PROLIFIC_PID", "a\nb\tc"}, {"STUDY_ID", ""}});
+  EXPECT_EQ(last_status_, 200);
+  const std::string kept =
+      GetParam() ? pseudonym_of(service_.sessions().salt(), "PROLIFIC_PID", "a b c") : "a b c";
+  EXPECT_NE(exported("participants.csv").find("," + kept + ",\n"), std::string::npos);
+}
+
 TEST_P(Recruited, GiveNoOtherParametersAndNoneThatAreTooLong) {
   join("b1", {{"credit_token", "x"}});
   EXPECT_EQ(last_status_, 400);
