@@ -1,5 +1,4 @@
 import type { MatchingRecord } from "../matching/record";
-import type { Destination, Recruitment } from "./recruitment";
 
 /** What a questionnaire shows, as `mien study export` and `serve` write it. */
 export interface Experiment {
@@ -30,6 +29,23 @@ export interface Experiment {
   refused?: boolean;
   /** Whoever agrees is given a session: there is none yet. */
   joining?: boolean;
+}
+
+export type SessionEnd = "completed" | "screened_out" | "refused" | "failed_attention";
+
+/** Where a participant is sent to: an address with parameters of the link in braces, and a code. */
+export interface Destination {
+  address: string;
+  code: string;
+}
+
+export interface Recruitment {
+  url_parameters: string[];
+  pseudonymise: boolean;
+  /** Whoever fails more attention checks has another end. */
+  most_failed_checks: number;
+  /** A server tells those of completed sessions at their end. */
+  ends: Partial<Record<SessionEnd, Destination>>;
 }
 
 export interface Settings {

@@ -1,12 +1,11 @@
 import { initJsPsych } from "jspsych";
-import { checked, recordsOf, type Experiment, type PageRecord } from "./experiment";
+import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
 import { saveFiles } from "./files";
 import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
 import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters,
-  rememberParameters, wayBack,
-  type Destination, type Parameters } from "./recruitment";
+  rememberParameters, wayBack, type Parameters } from "./recruitment";
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
 import { experimentOf, expectOwn, mayBegin, showEnding } from "./session_page";

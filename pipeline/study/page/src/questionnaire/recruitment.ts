@@ -2,26 +2,9 @@
 // session has ended.
 
 import { button, element } from "./elements";
-import type { PageRecord, Session } from "./experiment";
+import type { Destination, PageRecord, Recruitment, Session, SessionEnd } from "./experiment";
 import { Drawer } from "./store";
 import type { Texts } from "./texts";
-
-export type SessionEnd = "completed" | "screened_out" | "refused" | "failed_attention";
-
-/** Where a participant is sent to: an address with parameters of the link in braces, and a code. */
-export interface Destination {
-  address: string;
-  code: string;
-}
-
-export interface Recruitment {
-  url_parameters: string[];
-  pseudonymise: boolean;
-  /** Whoever fails more attention checks has another end. */
-  most_failed_checks: number;
-  /** A server tells those of completed sessions at their end. */
-  ends: Partial<Record<SessionEnd, Destination>>;
-}
 
 type Recruited = { design: string; recruitment?: Recruitment };
 export type Parameters = Record<string, string>;
@@ -91,7 +74,7 @@ export function destinationOf(recruitment: Recruitment | undefined, end: Session
 }
 
 /** The address with the values of the participant's link. */
-export const filledAddress = (address: string, values: Parameters): string =>
+const filledAddress = (address: string, values: Parameters): string =>
   address.replace(/\{([^{}]*)\}/g, (_, name: string) => encodeURIComponent(values[name] ?? ""));
 
 const leaveAfterSeconds = 10;

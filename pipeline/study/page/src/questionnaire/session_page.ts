@@ -1,11 +1,12 @@
 // What the pages of all experiments begin and end with.
 
 import { button, element } from "./elements";
+import type { Destination, Recruitment } from "./experiment";
 import type { SavedFile } from "./files";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { SessionClosed, type Store } from "./store";
-import { destinationOf, wayBack, type Destination, type Parameters, type Recruitment } from "./recruitment";
+import { destinationOf, wayBack, type Parameters } from "./recruitment";
 import { base, show, type Mode } from "./surroundings";
 import type { Texts } from "./texts";
 

@@ -1,5 +1,4 @@
-import type { PageRecord, Planned, Session } from "./experiment";
-import type { Destination } from "./recruitment";
+import type { Destination, PageRecord, Planned, Session } from "./experiment";
 
 type Named = { participant: string };
 
