@@ -21,7 +21,7 @@ export interface Frame {
   refused?: boolean;
 }
 
-/** How a participant came, and where he is sent to. */
+/** The parameters a participant came with, and where the way leads afterwards. */
 export interface Journey {
   parameters: Parameters;
   destination?: Destination;
