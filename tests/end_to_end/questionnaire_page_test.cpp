@@ -212,6 +212,11 @@ TEST_F(QuestionnairePage, RunsOnJatos) {
   // The others had been given out, and the first try to take this one was refused.
   EXPECT_EQ(run.at("taken"), (json{{"p001", 1}, {"p002", 1}, {"p003", 1}}));
   EXPECT_EQ(run.at("files"), (json{"p002-participants.csv", "p002-records.json"}));
+  for (const auto& row : rows_in(run.at("answers").get<std::string>())) {
+    EXPECT_EQ(row.at("jatos_worker"), "7");
+    EXPECT_EQ(row.at("jatos_batch"), "3");
+    EXPECT_EQ(row.at("jatos_result"), "12");
+  }
   // JATOS leads to the study's own End Redirect URL, once the participant has read the last page.
   EXPECT_EQ(run.at("ended_before_it_was_read"), false);
   EXPECT_FALSE(rows_in(run.at("answers").get<std::string>()).empty());

@@ -215,7 +215,7 @@ class QuestionnaireCheck {
         list_.add(path, "the table of participants has a column with this name",
                   "use another name");
       if (is_parameter_column(id))
-        list_.add(path, "names that begin with url_ are those of parameters of participants' links",
+        list_.add(path, "names that begin with url_ or jatos_ are those of ids of participants",
                   "use another name");
       if (!id.empty() && !taken.insert(id).second)
         list_.add(path, motion::in_quotes(id) + " is already the id of another question",

@@ -221,7 +221,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row) {
 
 std::string parameter_column(const std::string& parameter) { return "url_" + parameter; }
 
-bool is_parameter_column(std::string_view column) { return column.starts_with("url_"); }
+bool is_parameter_column(std::string_view column) {
+  return column.starts_with("url_") || column.starts_with("jatos_");
+}
 
 std::string to_csv(const std::vector<AnswerRow>& rows,
                    const std::vector<std::string>& url_parameters) {

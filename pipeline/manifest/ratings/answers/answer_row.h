@@ -69,7 +69,8 @@ bool holds_answer_rows(const CsvTable& table);
 /// The column of a URL parameter of the participant's link, in tables of answers and participants:
 /// "url_PROLIFIC_PID". No question has such a name.
 std::string parameter_column(const std::string& parameter);
-/// Whether a column is one of those: it may identify a participant, and is no answer.
+/// Whether a column is one of those, or has an id of JATOS ("jatos_worker"): it may identify a
+/// participant, and is no answer.
 bool is_parameter_column(std::string_view column);
 
 /// Returns the rows as CSV, in the given order, with a column for each of the URL parameters, of

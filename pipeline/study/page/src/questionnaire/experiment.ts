@@ -152,6 +152,8 @@ export interface PageRecord {
   media_sha256?: string[];
   /** Of consent: parameters of the participant's link. */
   url_parameters?: Record<string, string>;
+  /** Of consent, on JATOS: the ids by which it knows the participant. */
+  jatos?: Record<string, string>;
   /** Of a trial of a matching experiment. */
   matching?: MatchingRecord;
 }

@@ -6,6 +6,9 @@ interface Jatos {
   onLoad(ready: () => void): void;
   studySessionData: { mien?: Remembered };
   urlQueryParameters?: Record<string, string>;
+  workerId?: string | number;
+  batchId?: string | number;
+  studyResultId?: string | number;
   batchSession?: {
     get(name: string): Record<string, number> | undefined;
     set(name: string, value: unknown): Promise<unknown>;
@@ -30,6 +33,14 @@ function loadedJatos(): Promise<Jatos> {
 /** The parameters of the study link, which JATOS takes away from the page's own address. */
 export const jatosParameters = async (): Promise<Record<string, string>> =>
   (await loadedJatos()).urlQueryParameters ?? {};
+
+/** The ids of worker, batch and result, where JATOS tells them. */
+export function jatosIds(): Record<string, string> {
+  const jatos = jatosOfWindow();
+  const ids = { worker: jatos?.workerId, batch: jatos?.batchId, result: jatos?.studyResultId };
+  return Object.fromEntries(Object.entries(ids)
+    .flatMap(([name, id]) => (id === undefined || id === null ? [] : [[name, String(id)]])));
+}
 
 /**
  * Counts the session that is taken in the batch session, which all participants of a batch share.

@@ -1,6 +1,7 @@
 import { initJsPsych } from "jspsych";
 import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
 import { saveFiles } from "./files";
+import { jatosIds } from "./jatos";
 import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
@@ -50,6 +51,7 @@ function timelineOf(
           const agreed = given.pressed === 0;
           const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
           const record = pageRecord("consent", store.name, { ...given, responses });
+          if (agreed && mode === "jatos") record.jatos = jatosIds();
           if (agreed && experiment.recruitment) {
             rememberParameters(experiment, store.name, parameters);
             record.url_parameters = await keptParameters(experiment, parameters, mode === "served");

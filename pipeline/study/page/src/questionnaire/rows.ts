@@ -92,12 +92,14 @@ export function answersCsv(
   return csv([...answerColumns, ...Object.keys(own)], rows.map((row) => ({ ...row, ...own })));
 }
 
-/** What is kept of the participant's link, by column. */
+/** What is kept of the participant's link, and the ids of JATOS, by column. */
 function parameterFields(
   experiment: Pick<Experiment, "recruitment">, records: Record<string, PageRecord>): Record<string, string> {
   const kept = records.consent?.url_parameters ?? {};
-  return Object.fromEntries((experiment.recruitment?.url_parameters ?? [])
-    .map((name) => [`url_${name}`, tableText(kept[name] ?? "")]));
+  return Object.fromEntries([
+    ...(experiment.recruitment?.url_parameters ?? []).map((name) => [`url_${name}`, tableText(kept[name] ?? "")]),
+    ...Object.entries(records.consent?.jatos ?? {}).map(([name, id]) => [`jatos_${name}`, tableText(id)]),
+  ]);
 }
 
 /** Who took part, as CSV of one row. */

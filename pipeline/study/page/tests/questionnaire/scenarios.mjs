@@ -168,6 +168,9 @@ const kept = JSON.parse(sessionStorage.jatos ?? "{}");
 const keep = () => { sessionStorage.jatos = JSON.stringify(kept); };
 globalThis.jatos = {
   urlQueryParameters: {},
+  workerId: 7,
+  batchId: 3,
+  studyResultId: 12,
   studySessionData: kept.session ?? {},
   onLoad: (ready) => setTimeout(ready, 20),
   batchSession: {

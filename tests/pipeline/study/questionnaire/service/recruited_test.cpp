@@ -146,8 +146,8 @@ TEST_P(Recruited, GiveNoOtherParametersAndNoneThatAreTooLong) {
 TEST(Recruitment, IsNotSeenByReports) {
   const test::TemporaryFolder folder;
   write_file(folder.path() / "p.csv",
-             "participant,session,design,consented_at,finished,url_PROLIFIC_PID,age,url_STUDY_ID\n"
-             "p001,a1,d,2026-01-31T09:00:00Z,1,5f1c,31,s-1\n");
+             "participant,session,design,consented_at,finished,url_PROLIFIC_PID,age,jatos_worker\n"
+             "p001,a1,d,2026-01-31T09:00:00Z,1,5f1c,31,7\n");
   const ParticipantTable table = read_participants(folder.path() / "p.csv");
   EXPECT_EQ(table.questions(), std::vector<std::string>{"age"});
   ASSERT_EQ(table.table.rows.size(), 1u);
