@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "pipeline/manifest/questionnaire_forms.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/manifest/recruitment.h"
+#include "pipeline/manifest/screening.h"
 
 namespace mien::pipeline {
 
@@ -18,6 +20,7 @@ enum class Watching { full, free };
 enum class ShownAs { video, turn };
 enum class Phones { served, refused };
 enum class TestCorrection { holm, benjamini_hochberg, none };
+enum class FlaggedAnswers { excluded, kept };
 
 inline constexpr Words<InterfaceLanguage> language_words = {{"en", InterfaceLanguage::english},
                                                             {"ja", InterfaceLanguage::japanese}};
@@ -35,6 +38,9 @@ inline constexpr Words<TestCorrection> correction_words = {
     {"holm", TestCorrection::holm},
     {"bh", TestCorrection::benjamini_hochberg},
     {"none", TestCorrection::none}};
+
+inline constexpr Words<FlaggedAnswers> flagged_answers_words = {
+    {"excluded", FlaggedAnswers::excluded}, {"kept", FlaggedAnswers::kept}};
 
 /// How a scale is answered: on discrete points by default, on a slider or in free words.
 struct AnswerSettings {
@@ -91,6 +97,28 @@ void fields_of(auto&& field, MaybeConst<Pace> auto& pace) {
   field("demographic", pace.demographic, concerns::nothing);
 }
 
+/// Rules, stated before the study, by which answers and participants are flagged. An unset rule is
+/// not applied.
+struct QualityRules {
+  std::optional<double> min_rt_ms;    ///< answers that took less are flagged
+  std::optional<double> max_rt_ms;    ///< answers that took longer are flagged
+  std::optional<double> max_blur_ms;  ///< answers of trials in which the window was left longer
+  std::optional<int> max_longstring;  ///< participants with more equal raw answers in succession
+  std::optional<double> min_sd;       ///< participants whose raw answers vary less
+  std::string repeated_by;            ///< URL parameter: later sessions with the same value
+  FlaggedAnswers flagged = FlaggedAnswers::excluded;  ///< whether the analysis uses what is flagged
+};
+
+void fields_of(auto&& field, MaybeConst<QualityRules> auto& rules) {
+  field("min_rt_ms", rules.min_rt_ms, concerns::nothing);
+  field("max_rt_ms", rules.max_rt_ms, concerns::nothing);
+  field("max_blur_ms", rules.max_blur_ms, concerns::nothing);
+  field("max_longstring", rules.max_longstring, concerns::nothing);
+  field("min_sd", rules.min_sd, concerns::nothing);
+  field("repeated_by", rules.repeated_by, concerns::nothing);
+  field("flagged", rules.flagged, concerns::nothing, flagged_answers_words);
+}
+
 /// The preregistered analysis plan.
 struct AnalysisPlan {
   TextSource plan;      ///< text of the plan, included in the preregistration
@@ -98,6 +126,7 @@ struct AnalysisPlan {
   TestCorrection correction = TestCorrection::holm;
   /// Participants who fail more attention checks than this are excluded.
   int max_failed_checks = 1;
+  QualityRules quality;
 };
 
 void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
@@ -105,6 +134,7 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field("alpha", analysis.alpha, concerns::nothing);
   field("correction", analysis.correction, concerns::nothing, correction_words);
   field("max_failed_checks", analysis.max_failed_checks, concerns::nothing);
+  field("quality", analysis.quality, concerns::nothing);
 }
 
 /// The questions asked about the stimuli of a manifest, their order and their presentation. It does
@@ -115,7 +145,9 @@ struct Questionnaire {
   InterfaceLanguage language = InterfaceLanguage::english;
   int participants = 0;                      ///< planned number
   TextSource consent, instructions, ending;  ///< empty: not given
-  std::string question;  ///< shown above the items of a trial; empty: a default text
+  std::string consent_version;               ///< as approved by an ethics committee, say; or empty
+  TextSource debriefing;  ///< shown after the last answer and after withdrawal; empty: none
+  std::string question;   ///< shown above the items of a trial; empty: a default text
   StimulusChoice stimuli;
   int per_participant = 0;                 ///< number of analysed trials per participant; 0: all
   const TrialForm* trials = &rating_form;  ///< form of the trials
@@ -137,6 +169,7 @@ struct Questionnaire {
   std::string reference;  ///< id of the stimulus shown next to the rated one; empty for none
   ShownAs view = ShownAs::video;
   Phones phones = Phones::refused;
+  Screening screening;
   std::vector<Demographic> demographics;
   Recruitment recruitment;
   Pace pace;
@@ -148,7 +181,9 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("language", questionnaire.language, concerns::nothing, language_words);
   field("participants", questionnaire.participants, concerns::required);
   field.by("consent", questionnaire.consent, concerns::nothing, TextForm());
+  field("consent_version", questionnaire.consent_version, concerns::nothing);
   field.by("instructions", questionnaire.instructions, concerns::nothing, TextForm());
+  field.by("debriefing", questionnaire.debriefing, concerns::nothing, TextForm());
   field.by("ending", questionnaire.ending, concerns::nothing, TextForm());
   field("question", questionnaire.question, concerns::nothing);
   field.by("stimuli", questionnaire.stimuli, concerns::nothing, StimulusChoiceForm());
@@ -173,6 +208,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("reference", questionnaire.reference, concerns::nothing);
   field("view", questionnaire.view, concerns::nothing, shown_as_words);
   field("phones", questionnaire.phones, concerns::nothing, phones_words);
+  field("screening", questionnaire.screening, concerns::nothing);
   field.each("demographics", questionnaire.demographics, concerns::nothing,
              [] { return Demographic(); });
   field("recruitment", questionnaire.recruitment, concerns::nothing);

@@ -4,12 +4,14 @@
 
 namespace mien::pipeline {
 
-const std::string& TextOfEnds::of(SessionEnd end) const {
+const std::string& SessionEndTexts::of(SessionEnd end) const {
   switch (end) {
     case SessionEnd::screened_out:
       return screened_out;
     case SessionEnd::refused:
       return refused;
+    case SessionEnd::withdrawn:
+      return withdrawn;
     case SessionEnd::failed_attention:
       return failed_attention;
     default:
@@ -34,7 +36,7 @@ std::vector<std::string> kept_parameters(const Recruitment& recruitment) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
   for (const std::string& name : recruitment.url_parameters) add(name);
-  if (recruitment.prolific != TextOfEnds())
+  if (recruitment.prolific != SessionEndTexts())
     for (const char* name : {"PROLIFIC_PID", "STUDY_ID", "SESSION_ID"}) add(name);
   for (const auto& [word, end] : session_end_words)
     for (const std::string& name : placeholders_of(recruitment.redirect.of(end))) add(name);

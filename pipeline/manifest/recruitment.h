@@ -8,27 +8,28 @@
 
 namespace mien::pipeline {
 
-/// A text for each end of a session; empty: none.
-struct TextOfEnds {
-  std::string completed, screened_out, refused, failed_attention;
+/// A completion code or a web address for each way in which a session can end; empty: none.
+struct SessionEndTexts {
+  std::string completed, screened_out, refused, withdrawn, failed_attention;
 
   const std::string& of(SessionEnd end) const;
-  friend bool operator==(const TextOfEnds&, const TextOfEnds&) = default;
+  friend bool operator==(const SessionEndTexts&, const SessionEndTexts&) = default;
 };
 
-void fields_of(auto&& field, MaybeConst<TextOfEnds> auto& texts) {
+void fields_of(auto&& field, MaybeConst<SessionEndTexts> auto& texts) {
   field("completed", texts.completed, concerns::nothing);
   field("screened_out", texts.screened_out, concerns::nothing);
   field("refused", texts.refused, concerns::nothing);
+  field("withdrawn", texts.withdrawn, concerns::nothing);
   field("failed_attention", texts.failed_attention, concerns::nothing);
 }
 
 /// Where participants come from, and where they go when their session has ended.
 struct Recruitment {
   std::vector<std::string> url_parameters;  ///< those of the participant's link that are kept
-  TextOfEnds prolific;                      ///< completion codes of Prolific
+  SessionEndTexts prolific;                 ///< completion codes of Prolific
   /// Web addresses, in which {NAME} stands for the URL parameter of that name.
-  TextOfEnds redirect;
+  SessionEndTexts redirect;
   bool pseudonymise = false;  ///< keep hashes of the parameters instead of their values
 
   friend bool operator==(const Recruitment&, const Recruitment&) = default;

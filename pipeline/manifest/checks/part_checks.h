@@ -67,6 +67,13 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest);
 /// if it has none.
 std::vector<Fault> check_recruitment(const Manifest& manifest);
 
+/// Checks the answers that a questionnaire's screening accepts and its quotas count. No faults if it
+/// has none.
+std::vector<Fault> check_screening(const Manifest& manifest);
+
+/// Checks the quality rules of a questionnaire's analysis. No faults if it has none.
+std::vector<Fault> check_quality(const Manifest& manifest);
+
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
 /// checks that can exclude no participant or that never occur. The manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);

@@ -39,7 +39,7 @@ class QuestionnaireCheck {
     check_trials();
     check_order();
     check_numbers();
-    check_demographics();
+    check_question_ids();
     check_view();
     return list_.take();
   }
@@ -206,21 +206,29 @@ class QuestionnaireCheck {
     at_most(member_path(at("retest"), "repeat"), questionnaire_.repeated, own);
   }
 
-  void check_demographics() {
+  /// Ids of questions about the participant: columns of one table.
+  void check_question_ids() {
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < questionnaire_.demographics.size(); ++i) {
-      const std::string& id = questionnaire_.demographics[i].id;
-      const std::string path = member_path(element_path(at("demographics"), i), "id");
-      if (find_column(participant_form, id) != nullptr)
-        list_.add(path, "the table of participants has a column with this name",
-                  "use another name");
-      if (is_parameter_column(id))
-        list_.add(path, "names that begin with url_ or jatos_ are those of ids of participants",
-                  "use another name");
-      if (!id.empty() && !taken.insert(id).second)
-        list_.add(path, motion::in_quotes(id) + " is already the id of another question",
-                  "give each a different one");
-    }
+    const auto check_all = [&](const std::string& list_path, const auto& questions) {
+      for (std::size_t i = 0; i < questions.size(); ++i) {
+        const std::string path = member_path(element_path(list_path, i), "id");
+        check_question_id(path, questions[i].id, taken);
+      }
+    };
+    check_all(member_path(at("screening"), "questions"), questionnaire_.screening.questions);
+    check_all(at("demographics"), questionnaire_.demographics);
+  }
+
+  void check_question_id(const std::string& path, const std::string& id,
+                         std::set<std::string>& taken) {
+    if (find_column(participant_form, id) != nullptr)
+      list_.add(path, "the table of participants has a column with this name", "use another name");
+    if (is_parameter_column(id))
+      list_.add(path, "names that begin with url_ or jatos_ are reserved for ids of participants",
+                "use another name");
+    if (!id.empty() && !taken.insert(id).second)
+      list_.add(path, motion::in_quotes(id) + " is already the id of another question",
+                "give each a different one");
   }
 
   void check_view() {
@@ -250,6 +258,8 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
   append(faults, check_shown_videos(manifest));
   append(faults, check_recruitment(manifest));
+  append(faults, check_screening(manifest));
+  append(faults, check_quality(manifest));
   return faults;
 }
 

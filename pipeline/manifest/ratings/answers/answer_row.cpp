@@ -69,6 +69,8 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"stall_ms", "ms", "total duration of buffering interruptions"}, &Row::stall_ms},
     {{"dropped_frames", "", "video frames dropped by the browser"}, &Row::dropped_frames},
     {{"blurs", "", "tab switches during the trial"}, &Row::blurs},
+    {{"blur_ms", "ms", "total time for which the window was left during the trial"},
+     &Row::blur_ms},
     {{"viewport_width", "px", "width of the browser viewport"}, &Row::viewport_width},
     {{"viewport_height", "px", "height of the browser viewport"}, &Row::viewport_height},
     {{"refresh_hz", "Hz", "measured refresh rate of the screen"}, &Row::refresh_hz},
@@ -85,13 +87,16 @@ constexpr auto answer_row_columns = [] {
   return columns;
 }();
 
+/// Columns that tables of earlier versions do not have.
+bool is_later_column(std::string_view name) { return name == "blur_ms"; }
+
 /// Fills rows from fields and gathers what is wrong with them.
 class AnswerRowReader {
  public:
   explicit AnswerRowReader(const CsvTable& table) : table_(table) {
     for (const Column& column : answer_row_columns) {
       const int index = find_column(table, column.name);
-      if (index < 0) {
+      if (index < 0 && !is_later_column(column.name)) {
         faults.push_back({place_of(table, table.header.front()), "",
                           fmt::format("there is no column {}", motion::in_quotes(column.name)),
                           "use the questionnaire's own file, with all its columns"});
@@ -140,7 +145,9 @@ class AnswerRowReader {
   }
 
   const CsvField& field(std::string_view column) const {
-    return (*fields_)[static_cast<std::size_t>(index_.at(column))];
+    static const CsvField missing;
+    const int index = index_.at(column);
+    return index < 0 ? missing : (*fields_)[static_cast<std::size_t>(index)];
   }
   const std::string& text(std::string_view column) const { return field(column).text; }
 

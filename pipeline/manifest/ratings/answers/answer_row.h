@@ -44,6 +44,7 @@ struct AnswerRow {
   std::optional<double> stall_ms;
   std::optional<int> dropped_frames;
   std::optional<int> blurs;
+  std::optional<double> blur_ms;
   std::optional<int> viewport_width;
   std::optional<int> viewport_height;
   std::optional<double> refresh_hz;
@@ -83,8 +84,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 
 enum class DuplicateAnswers { refused, allowed };
 
-/// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`.
-/// In that case, a warning is added to `warnings` unless it is null. Columns may be in any order;
+/// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`
+/// and there was no `blur_ms`. In the first case, a warning is added to `warnings` unless it is
+/// null. Columns may be in any order;
 /// unknown columns are ignored.
 ///
 /// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults

@@ -7,8 +7,9 @@ namespace mien::pipeline {
 /// How a participant's session ends.
 enum class SessionEnd {
   completed,
-  screened_out,      ///< refused before the first trial, such as on a phone
+  screened_out,      ///< turned away before the first trial, such as on a phone
   refused,           ///< no consent
+  withdrawn,         ///< withdrew; the answers are deleted
   failed_attention,  ///< completed, with more failed attention checks than the analysis allows
 };
 
@@ -16,6 +17,7 @@ inline constexpr Words<SessionEnd> session_end_words = {
     {"completed", SessionEnd::completed},
     {"screened_out", SessionEnd::screened_out},
     {"refused", SessionEnd::refused},
+    {"withdrawn", SessionEnd::withdrawn},
     {"failed_attention", SessionEnd::failed_attention}};
 
 }  // namespace mien::pipeline

@@ -94,7 +94,7 @@ std::string recruitment_readme(const Recruitment& recruitment) {
       "Recruited participants\n"
       "    Use JATOS, or mien study serve: a page on a web server saves the answers on the\n"
       "    participant's computer.\n";
-  if (recruitment.prolific != TextOfEnds())
+  if (recruitment.prolific != SessionEndTexts())
     text +=
         "    At Prolific, enter the address of the study followed by\n"
         "        "

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "pipeline/study/questionnaire/experiment/experiment.h"
-#include "pipeline/study/questionnaire/service/recruited.h"
+#include "pipeline/study/questionnaire/service/recruited_participants.h"
 
 namespace mien::pipeline {
 

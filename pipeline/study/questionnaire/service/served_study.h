@@ -49,7 +49,7 @@ struct SessionProgress {
   std::vector<std::string> stored;  ///< names of the stored records
   std::string browser;              ///< the browser session that sent them
   bool has_refused = false;         ///< consent was refused
-  /// Where the participant is sent to (recruited.h); null: nowhere, or not yet.
+  /// Where the participant is sent to (recruited_participants.h); null: nowhere, or not yet.
   nlohmann::ordered_json destination = nullptr;
 };
 

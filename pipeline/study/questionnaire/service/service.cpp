@@ -8,7 +8,7 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
-#include "pipeline/study/questionnaire/service/recruited.h"
+#include "pipeline/study/questionnaire/service/recruited_participants.h"
 
 namespace mien::pipeline {
 

@@ -79,7 +79,7 @@ class StudySessions {
 
   std::string lab_link() const { return lab_link_; }
   std::string join_link() const { return join_link_; }
-  /// Random text of this store, which pseudonyms are made with (recruited.h).
+  /// Random text of this store, which pseudonyms are made with (recruited_participants.h).
   std::string salt() const { return salt_; }
 
   /// The plan of a session, with the name of the session's participant.

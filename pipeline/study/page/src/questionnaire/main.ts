@@ -6,12 +6,12 @@ import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
 import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters,
-  rememberParameters, wayBack, type Parameters } from "./recruitment";
+  rememberParameters, returnElements, type Parameters } from "./recruitment";
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
 import { experimentOf, expectOwn, mayBegin, showEnding } from "./session_page";
 import type { Store } from "./store";
-import { addressOf, modeOfPage, root, show, showClosed, storeOf, type Mode } from "./surroundings";
+import { linkParameters, modeOfPage, root, show, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
@@ -59,7 +59,7 @@ function timelineOf(
           if (agreed || mode !== "static") await keep(record, page);
           if (agreed) return;
           if (mode === "static") store.clear?.();
-          const back = wayBack(texts, destinationOf(experiment.recruitment, "refused"), parameters, false, store.leave);
+          const back = returnElements(texts, destinationOf(experiment.recruitment, "refused"), parameters, false, store.leave);
           show(texts.thanks, [back.length ? texts.refusedHere : texts.refused], ...back);
           await new Promise(() => {});  // nothing follows
         } }),
@@ -105,7 +105,7 @@ async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checked);
   const texts = textsOf(experiment.language);
-  const given = parametersOf(experiment, await addressOf(mode));
+  const given = parametersOf(experiment, await linkParameters(mode));
   if (!mayBegin(experiment, texts, given)) return;
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => answersCsv(experiment, session, records),

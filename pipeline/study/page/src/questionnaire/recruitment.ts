@@ -11,15 +11,15 @@ export type Parameters = Record<string, string>;
 
 const longestValue = 200;
 
-/** What a table and a record can hold of a value. */
-const plain = (value: string): string =>
+/** The value in one line and of limited length, as a record and a table hold it. */
+const cleaned = (value: string): string =>
   [...value.replace(/[\x00-\x1f\x7f]/g, " ").trim()].slice(0, longestValue).join("");
 
-/** The parameters of a link that the study keeps, where they have a value. */
+/** Those parameters of a link that the study keeps; without empty ones. */
 export function parametersOf(experiment: Recruited, given: URLSearchParams): Parameters {
   const found: Parameters = {};
   for (const name of experiment.recruitment?.url_parameters ?? []) {
-    const value = plain(given.get(name) ?? "");
+    const value = cleaned(given.get(name) ?? "");
     if (value) found[name] = value;
   }
   return found;
@@ -29,25 +29,25 @@ const memoryOf = (experiment: Recruited, session: string): Drawer =>
   new Drawer(`mien/${experiment.design}/${session}/link`);
 
 /**
- * The parameters of the link by which the participant of this browser session came: a reload, and
- * the session that a link of all leads to, have them no more in their own addresses.
+ * The parameters of the link that the participant of this browser session opened. After a reload, and after
+ * the open link has led to a session, the page's own address no longer contains them.
  */
 export const rememberedParameters = (experiment: Recruited, session: string, given: Parameters): Parameters =>
   experiment.recruitment ? { ...memoryOf(experiment, session).read<Parameters>(), ...given } : {};
 
-/** Of whoever agrees. */
+/** Stores them in this browser; called when the participant has agreed. */
 export function rememberParameters(experiment: Recruited, session: string, parameters: Parameters): void {
   if (Object.keys(parameters).length) memoryOf(experiment, session).write(parameters);
 }
 
-/** As they are kept: where values are hashed, a server does that, and elsewhere this page. */
+/** The values as records hold them: hashed, if the study asks for that; a server hashes them itself. */
 export async function keptParameters(
   experiment: Recruited, values: Parameters, byServer: boolean): Promise<Parameters> {
   if (!experiment.recruitment?.pseudonymise || byServer) return values;
   const kept: Parameters = {};
   for (const [name, value] of Object.entries(values)) {
     const text = new TextEncoder().encode(`${experiment.design}\n${name}\n${value}`);
-    // Browsers hash nothing on pages that came by plain http; then nothing is kept.
+    // Browsers offer no hashes on pages loaded by plain http from another machine; nothing is kept then.
     const hash = await globalThis.crypto.subtle?.digest("SHA-256", text);
     if (hash) kept[name] = Array.from(new Uint8Array(hash).slice(0, 16),
       (byte) => byte.toString(16).padStart(2, "0")).join("");
@@ -55,7 +55,7 @@ export async function keptParameters(
   return kept;
 }
 
-/** How a session ended that was completed: by the attention checks outside practice. */
+/** How a completed session ended, by its attention checks outside practice. */
 export function completedEnd(
   recruitment: Recruitment, session: Session, records: Record<string, PageRecord>): SessionEnd {
   let failed = 0;
@@ -67,7 +67,7 @@ export function completedEnd(
   return failed > recruitment.most_failed_checks ? "failed_attention" : "completed";
 }
 
-/** Where that end leads, if anywhere. */
+/** The destination of an end, if it has one. */
 export function destinationOf(recruitment: Recruitment | undefined, end: SessionEnd): Destination | undefined {
   const ends = recruitment?.ends;
   return ends?.[end] ?? (end === "failed_attention" ? ends?.completed : undefined);
@@ -80,16 +80,21 @@ const filledAddress = (address: string, values: Parameters): string =>
 const leaveAfterSeconds = 10;
 
 /**
- * The code as text, and the way back; by itself after a while where `leavesSoon`. `leave` is another
- * way than going to the address.
+ * The completion code as text, and a button that leaves the page. With `leavesSoon`, the page leaves by itself
+ * after a while, unless the participant chooses to stay. `leave` replaces going to the address.
  */
-export function wayBack(
+export function returnElements(
   texts: Texts, destination: Destination | undefined, values: Parameters, leavesSoon: boolean,
   leave?: (address: string | undefined) => void,
 ): HTMLElement[] {
   if (!destination && !leave) return [];
   const address = destination && filledAddress(destination.address, values);
-  const go = () => (leave ? leave(address) : location.assign(address!));
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const go = () => {
+    clearTimeout(timer);
+    if (leave) leave(address);
+    else location.assign(address!);
+  };
   const isProlific = !!address && /^https:\/\/app\.prolific\.com\//.test(address);
   const parts: HTMLElement[] = [];
   if (destination?.code)
@@ -97,8 +102,9 @@ export function wayBack(
   const label = isProlific ? texts.backToProlific : address ? texts.goOn : texts.finish;
   const buttons = element("div", { class: "buttons" }, button(label, go, "leave"));
   if (leavesSoon) {
-    const timer = setTimeout(go, 1000 * leaveAfterSeconds);
-    const note = element("p", { role: "status" }, texts.leavesSoon(leaveAfterSeconds));
+    timer = setTimeout(go, 1000 * leaveAfterSeconds);
+    const soon = address ? texts.leavesSoon : texts.endsSoon;
+    const note = element("p", { role: "status" }, soon(leaveAfterSeconds));
     const stay = button(texts.stayHere, () => {
       clearTimeout(timer);
       note.remove();

@@ -6,7 +6,7 @@ import type { SavedFile } from "./files";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { SessionClosed, type Store } from "./store";
-import { destinationOf, wayBack, type Parameters } from "./recruitment";
+import { destinationOf, returnElements, type Parameters } from "./recruitment";
 import { base, show, type Mode } from "./surroundings";
 import type { Texts } from "./texts";
 
@@ -21,8 +21,8 @@ export interface Frame {
   refused?: boolean;
 }
 
-/** The parameters a participant came with, and where the way leads afterwards. */
-export interface Journey {
+/** The parameters of the participant's link, and the destination at the end of the session. */
+export interface Referral {
   parameters: Parameters;
   destination?: Destination;
 }
@@ -38,14 +38,14 @@ export async function experimentOf<Own>(mode: Mode, checked: (given: unknown) =>
   return checked((globalThis as { mienExperiment?: unknown }).mienExperiment);
 }
 
-/** Gives the page its language and title. False on a phone where none is wanted: it says so, and leads back. */
+/** Sets the language and title of the page. False on a phone if phones are refused: the page then says so. */
 export function mayBegin(experiment: Frame, texts: Texts, parameters: Parameters = {}): boolean {
   document.documentElement.lang = experiment.language;
   document.title = experiment.title;
   const isRefused = experiment.settings.phones === "refused" && isPhone();
   const destination = destinationOf(experiment.recruitment, "screened_out");
   if (isRefused)
-    show(experiment.title, [texts.phone], ...wayBack(texts, destination, parameters, false));
+    show(experiment.title, [texts.phone], ...returnElements(texts, destination, parameters, false));
   return !isRefused;
 }
 
@@ -59,8 +59,8 @@ export function expectOwn(experiment: Frame, store: { name: string }): void {
     participant. */
 export function showEnding(
   mode: Mode, experiment: Frame, store: Pick<Store, "clear" | "leave">, texts: Texts, save: () => SavedFile[],
-  { parameters, destination }: Journey = { parameters: {} }): void {
-  const back = wayBack(texts, destination, parameters, mode !== "static", store.leave);
+  { parameters, destination }: Referral = { parameters: {} }): void {
+  const back = returnElements(texts, destination, parameters, mode !== "static", store.leave);
   if (mode !== "static")
     return show(texts.thanks,
       [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back);

@@ -16,7 +16,7 @@ export function modeOfPage(): Mode {
 }
 
 /** The parameters of the participant's link. */
-export const addressOf = async (mode: Mode): Promise<URLSearchParams> =>
+export const linkParameters = async (mode: Mode): Promise<URLSearchParams> =>
   new URLSearchParams(mode === "jatos" ? await jatosParameters() : location.search);
 
 /** Where the page lies, with a slash at its end. */

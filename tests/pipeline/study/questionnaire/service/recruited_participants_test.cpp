@@ -1,4 +1,4 @@
-#include "pipeline/study/questionnaire/service/recruited.h"
+#include "pipeline/study/questionnaire/service/recruited_participants.h"
 
 #include <gtest/gtest.h>
 
