@@ -238,8 +238,21 @@ TEST_F(QuestionnairePage, SendsEachRecordUntilTheServerHasIt) {
 
 TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   std::string text = study_text;
-  text +=
-      "  recruitment:\n    prolific: {completed: CDONE, refused: CREFUSED, screened_out: COUT}\n";
+  text += R"(
+  consent_version: "2.1"
+  debriefing: We wanted to know whether the mood of a walk can be seen.
+  screening:
+    window: [1000, 600]
+    questions:
+      - {id: years, ask: "How old are you, in years?", answer: number, accept: {from: 18, to: 99}}
+      - {id: vision, ask: "Do you see well?", answer: ["yes", "no"], accept: "yes"}
+  analysis: {max_failed_checks: 0}
+  recruitment:
+    prolific: {completed: CDONE, refused: CREFUSED, withdrawn: CLEFT}
+    redirect:
+      screened_out: "https://app.prolific.com/out?pid={PROLIFIC_PID}"
+      failed_attention: "https://app.prolific.com/failed?study={STUDY_ID}"
+)";
   const fs::path manifest = scratch->write("recruited.yaml", text);
   const fs::path told = scratch->path() / "recruiting.txt";
   const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told.string(),
@@ -257,18 +270,52 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   EXPECT_EQ(run.at("troubles"), json::array());
   const std::string back = "https://app.prolific.com/submissions/complete?cc=";
   for (const auto& [end, code] : {std::pair("completed", "CDONE"), std::pair("refused", "CREFUSED"),
-                                  std::pair("screened_out", "COUT")}) {
+                                  std::pair("withdrawn", "CLEFT")}) {
     EXPECT_EQ(run.at(end).at("url"), back + code);
     EXPECT_NE(run.at(end).at("said").get<std::string>().find(code), std::string::npos) << end;
   }
   EXPECT_EQ(run.at("soon"), back + "CDONE");
+  const auto said = [&](const char* who) { return run.at(who).at("said").get<std::string>(); };
+  const std::string out = "https://app.prolific.com/out?pid=";
+  EXPECT_EQ(run.at("screened_out").at("url"), out + "5f03");
+  EXPECT_EQ(run.at("too_young").at("url"), out + "5f05");
+  EXPECT_EQ(run.at("too_small").at("url"), out + "5f06");
+  for (const char* who : {"too_young", "too_small"})
+    EXPECT_NE(said(who).find("Thank you for your interest"), std::string::npos) << who;
+  EXPECT_NE(run.at("too_small").at("asked").get<std::string>().find("at least 1000 × 600"),
+            std::string::npos);
+  // The code of an end has the place of the address of a completed one, and blanks are escaped.
+  EXPECT_EQ(run.at("failed_attention").at("url"),
+            "https://app.prolific.com/failed?study=study%201");
+  EXPECT_EQ(run.at("withdrawn").at("offered"), 0) << "before there is anything to withdraw";
+  EXPECT_EQ(run.at("withdrawn").at("still_offered"), 0);
+  EXPECT_NE(said("withdrawn").find("your answers have been deleted"), std::string::npos);
+  EXPECT_NE(said("withdrawn").find("We wanted to know"), std::string::npos);
+  EXPECT_NE(run.at("withdrawn").at("again").get<std::string>().find("have been deleted"),
+            std::string::npos);
   EXPECT_EQ(run.at("session").get<std::string>().find("CDONE"), std::string::npos);
   EXPECT_EQ(run.at("search"), "") << "what the link held is in no address after it";
-  const Ended fetched =
-      run_program({"node", "-e",
-                   "fetch(process.argv[1]).then(r => r.text()).then(t => process.stdout.write(t))",
-                   places.at("lab").get<std::string>() + "answers.csv"});
-  const auto rows = rows_in(fetched.output);
+  const auto exported = [&](const char* name) {
+    return run_program(
+               {"node", "-e",
+                "fetch(process.argv[1]).then(r => r.text()).then(t => process.stdout.write(t))",
+                places.at("lab").get<std::string>() + name})
+        .output;
+  };
+  std::map<std::string, std::string> ends;
+  for (const auto& row : rows_in(exported("participants.csv"))) {
+    ends[row.at("url_PROLIFIC_PID")] = row.at("ended") + " " + row.at("screening_fault");
+    EXPECT_EQ(row.at("consent_version"), "2.1");
+    EXPECT_EQ(row.at("consent_sha256").size(), 64u);
+  }
+  EXPECT_EQ(ends, (std::map<std::string, std::string>{{"5f01", "completed "},
+                                                      {"5f04", "completed "},
+                                                      {"5f05", "screened_out answer"},
+                                                      {"5f06", "screened_out window"},
+                                                      {"5f08", "completed "}}));
+  const std::string answers = exported("answers.csv");
+  EXPECT_EQ(answers.find("5f07"), std::string::npos) << "withdrew";
+  const auto rows = rows_in(answers);
   ASSERT_FALSE(rows.empty());
   for (const auto& row : rows) {
     if (row.at("participant") != rows.front().at("participant")) continue;
@@ -369,6 +416,12 @@ TEST_F(QuestionnairePage, MakesTheRowsThatAreExpected) {
   const Ended ended = run_program(
       {"node", (page_tests() / "rows.mjs").string(), (there / "page_session.json").string()});
   EXPECT_EQ(ended.output, text_of(there / "page_answers.csv")) << ended.errors;
+}
+
+TEST_F(QuestionnairePage, DecidesAboutEndsOfSessionsWithoutAServer) {
+  const Ended ended =
+      run_program({"node", "--test", (page_tests() / "recruitment.mjs").string()}, 300.0);
+  EXPECT_EQ(ended.code, 0) << ended.output << ended.errors;
 }
 
 TEST_F(QuestionnairePage, IsWrittenIntoNoFolderOfOthers) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using pipeline::body_in;
+using pipeline::free_port;
 using pipeline::get_request;
 using pipeline::post_request;
 using pipeline::reply_of;
@@ -189,6 +191,134 @@ TEST_F(ServedStudy, IsTakenGoesOnAfterBeingKilledAndEndsWhenTold) {
   EXPECT_FALSE(fs::exists(folder.path() / "out")) << "was made before it was refused";
   EXPECT_NE(changed.errors.find("was started with a different questionnaire"), std::string::npos)
       << changed.errors;
+}
+
+TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
+  Running server(command(manifest));
+  read_links();
+  take_part(links.at("p001"));
+  take_part(links.at("p002"));
+  server.send(SIGINT);
+  const json places = json::parse(server.wait(60).output);
+  fs::create_directories(folder.path() / "exported");
+  const std::string table = "participant,session,value\np001,browser,1\np002,other,2\n";
+  folder.write("exported/answers.csv", table);
+  folder.write("exported/notes.csv", "about,p001\n");
+  const auto withdraw = [&](const std::string& who) {
+    return run_program({program.string(), "study", "withdraw", who,
+                        (folder.path() / "kept.db").string(),
+                        (folder.path() / "exported").string()});
+  };
+  const Ended nobody = withdraw("p009");
+  EXPECT_EQ(nobody.code, 2);
+  EXPECT_NE(nobody.errors.find("is in none of these files"), std::string::npos) << nobody.errors;
+  EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"), table);
+  const Ended done = withdraw("p001");
+  EXPECT_EQ(done.code, 0) << done.errors;
+  EXPECT_NE(done.output.find("answers.csv: 1 rows deleted"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("records deleted; the session is counted as withdrawn"),
+            std::string::npos);
+  EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"),
+            "participant,session,value\np002,other,2\n");
+  EXPECT_EQ(text_of(folder.path() / "exported/notes.csv"), "about,p001\n");
+  const Ended again = withdraw("p001");
+  EXPECT_EQ(again.code, 2) << again.output;
+  Running anew(command(manifest));
+  read_links();
+  const json session = json::parse(body_in(get(links.at("p001") + "session.json")));
+  EXPECT_EQ(session.at("ended"), "withdrawn");
+  EXPECT_EQ(session.at("kept"), json::array());
+}
+
+/// What the page of the manual tells people to copy, with other ports, names and files.
+std::string nginx_site(const fs::path& folder, int https, int http, int served) {
+  std::string site =
+      text_of(fs::path(MIEN_SOURCE_DIR) / "pipeline/study/questionnaire/mien.nginx.conf");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = site.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    site.replace(at, from.size(), to);
+  };
+  replace("listen 443 ssl", "listen 127.0.0.1:" + std::to_string(https) + " ssl");
+  replace("listen 80", "listen 127.0.0.1:" + std::to_string(http));
+  replace("/etc/letsencrypt/live/lab.example.org/fullchain.pem", (folder / "own.pem").string());
+  replace("/etc/letsencrypt/live/lab.example.org/privkey.pem", (folder / "own.key").string());
+  replace("/var/log/nginx/error.log", (folder / "error.log").string());
+  replace("127.0.0.1:8080", "127.0.0.1:" + std::to_string(served));
+  std::string places;
+  for (const char* what : {"client_body", "proxy", "fastcgi", "uwsgi", "scgi"})
+    places += std::string(what) + "_temp_path " + (folder / what).string() + ";\n";
+  return "daemon off;\npid " + (folder / "nginx.pid").string() + ";\nevents {}\nhttp {\n" + places +
+         site + "}\n";
+}
+
+TEST_F(ServedStudy, IsServedWithTlsByNginx) {
+  for (const char* needed : {"nginx", "curl", "openssl"})
+    if (run_program({"sh", "-c", std::string("command -v ") + needed}).code != 0)
+      GTEST_SKIP() << "no " << needed << " here";
+  std::vector<std::string> words = command(manifest);
+  words.insert(words.end(), {"--behind-proxy", "--url", "https://lab.example.org"});
+  const int served = free_port();
+  *std::ranges::find(words, "0") = std::to_string(served);
+  const fs::path told = folder.path() / "told.json";
+  words.insert(words.begin(), {"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told});
+  const Running server(words);
+  json places;
+  for (int tries = 0; tries < 3000 && !places.is_object(); ++tries) {
+    pause_for(0.1);
+    places = json::parse(text_of(told), nullptr, false);
+  }
+  ASSERT_TRUE(places.is_object());
+  must_run({"openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj",
+            "/CN=lab.example.org", "-keyout", (folder.path() / "own.key").string(), "-out",
+            (folder.path() / "own.pem").string()});
+  const int https = free_port(), http = free_port();
+  const fs::path site = folder.write("nginx.conf", nginx_site(folder.path(), https, http, served));
+  const Running nginx({"nginx", "-c", site.string(), "-e", (folder.path() / "error.log").string()});
+  const std::string secure = "https://lab.example.org:" + std::to_string(https);
+  const auto asked = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = {"curl",
+                                    "--silent",
+                                    "--show-error",
+                                    "--include",
+                                    "--retry",
+                                    "50",
+                                    "--retry-connrefused",
+                                    "--retry-delay",
+                                    "1",
+                                    "--cacert",
+                                    (folder.path() / "own.pem").string(),
+                                    "--resolve",
+                                    "lab.example.org:" + std::to_string(https) + ":127.0.0.1"};
+    all.insert(all.end(), more.begin(), more.end());
+    return must_run(all);
+  };
+  const std::string join = places.at("join");
+  ASSERT_TRUE(join.starts_with("https://lab.example.org/join/"));
+  const std::string page = secure + join.substr(join.find("/join/"));
+  EXPECT_EQ(status_in(asked({page})), 200);
+  const std::string agreed = asked(
+      {"-H", "Content-Type: application/json", "-d",
+       R"({"record": "consent", "session": "b1", "responses": [{"item": "consent", "value_raw": "agreed"}]})",
+       page + "records/consent"});
+  EXPECT_EQ(status_in(agreed), 200) << agreed;
+  const std::string lab = places.at("lab");
+  const std::string exports = secure + lab.substr(lab.find("/lab/"));
+  const std::string links_table = asked({exports + "links.csv"});
+  EXPECT_NE(links_table.find("p001,https://lab.example.org"), std::string::npos) << links_table;
+  EXPECT_NE(asked({exports + "participants.csv"}).find("\np003,b1,"), std::string::npos);
+  const json session = json::parse(body_in(asked(
+      {secure + "/s/" + links_table.substr(links_table.find("/s/") + 3, 32) + "/session.json"})));
+  const std::string token = session.at("media").begin().key();
+  const std::string part = asked({"-r", "4-7", secure + "/media/" + token});
+  EXPECT_EQ(status_in(part), 206);
+  EXPECT_EQ(body_in(part), "ftyp");
+  const std::string plain =
+      must_run({"curl", "--silent", "--include", "-H", "Host: lab.example.org",
+                "http://127.0.0.1:" + std::to_string(http) + "/join/x/"});
+  EXPECT_EQ(status_in(plain), 301);
+  EXPECT_NE(plain.find("Location: https://lab.example.org/join/x/"), std::string::npos) << plain;
+  EXPECT_EQ(text_of(folder.path() / "error.log"), "");
 }
 
 TEST_F(ServedStudy, IsRefusedWhereItCannotBeServed) {

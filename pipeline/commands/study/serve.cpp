@@ -34,6 +34,7 @@ struct ServeOptions {
   int port = 8080;
   std::string store;  ///< empty: <out>/<study>-answers.db
   std::string url;    ///< empty: http://<listen>:<port>
+  bool behind_proxy = false;
   bool json = false;
 };
 
@@ -95,7 +96,7 @@ void print_links(const ServeOptions& options, const ServedFiles& files, const st
       "answers          {}\n"
       "Stop with Ctrl-C. Answers are kept, and the same command continues from there.\n",
       lab, join, files.links.string(), files.answers.string());
-  if (!is_loopback(options.listen))
+  if (!is_loopback(options.listen) && !options.behind_proxy)
     console.out << "Answers are sent unencrypted: use a trusted network, or a web server with TLS "
                    "in front of this one (--url).\n";
   console.out.flush();
@@ -150,7 +151,8 @@ std::unique_ptr<SessionStore> store_so_far(const fs::path& file, const Manifest&
 /// Settings of the server, with higher limits for matching: sliders request a motion with every
 /// step and a trial records all of them.
 HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) {
-  HttpSettings settings{.listen = options.listen, .port = options.port};
+  HttpSettings settings{
+      .listen = options.listen, .port = options.port, .behind_proxy = options.behind_proxy};
   if (study.live) {
     settings.requests = {.burst = 20000, .per_second = 2000};
     settings.limits.body_bytes = std::size_t{4} << 20U;
@@ -239,6 +241,9 @@ Command study_serve_command() {
                      "File in which answers are stored (default: <out>/<study>-answers.db)"),
               option("--url", &options->url,
                      "URL at which participants reach this server, if not its address and port"),
+              flag("--behind-proxy", &options->behind_proxy,
+                   "A web server with TLS forwards all requests and states the clients' addresses "
+                   "(X-Forwarded-For)"),
               flag("--json", &options->json, "Print the links as JSON")),
           .notes =
               "First makes the videos that a questionnaire shows, as mien run does. Each planned "
@@ -250,7 +255,8 @@ Command study_serve_command() {
               "machines have access only with --listen.\n\n"
               "Examples:\n"
               "  mien study serve study.yaml\n"
-              "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db",
+              "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db\n"
+              "  mien study serve study.yaml --behind-proxy --url https://lab.example.org",
           .run = [options](const Console& console) { return serve(*options, console); }};
 }
 

@@ -105,7 +105,7 @@ Command study_command() {
                {{"libarchive", archive_library()},
                 {"Boost", http_library()},
                 {"SQLite", database_library()}}),
-           study_words_command()},
+           study_withdraw_command(), study_words_command()},
       .notes =
           "Examples:\n"
           "  mien study design emotion-study -o plans.csv       orders of trials for participants\n"

@@ -66,6 +66,7 @@ Command study_serve_command();
 Command study_report_command();
 Command study_simulate_command();
 Command study_targets_command();
+Command study_withdraw_command();
 Command study_words_command();
 
 }  // namespace mien::pipeline

@@ -92,6 +92,7 @@ std::vector<Fault> resolve_experiments(Manifest& manifest) {
   if (!manifest.questionnaire) return list.take();
   Questionnaire& experiment = *manifest.questionnaire;
   resolve_texts("questionnaire", experiment, list);
+  resolve_text("questionnaire.debriefing", experiment.debriefing, list);
   resolve_text("questionnaire.analysis.plan", experiment.analysis.plan, list);
   std::vector<Fault> faults = list.take();
   append(faults, resolve_own_scales(experiment.scales, manifest.places));

@@ -26,7 +26,8 @@ void for_each_document(M& manifest, const Visit& visit) {
   };
   if (manifest.questionnaire) {
     auto& questionnaire = *manifest.questionnaire;
-    for (auto* text : {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending,
+    for (auto* text : {&questionnaire.consent, &questionnaire.instructions,
+                       &questionnaire.debriefing, &questionnaire.ending,
                        &questionnaire.analysis.plan}) {
       if (!text->file.empty()) visit(text->file);
     }

@@ -42,11 +42,12 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     const auto found = seconds.find(stimulus);
     return found == seconds.end() ? usual_video_seconds : found->second;
   };
-  const double words = word_count(questionnaire.consent.text) +
-                       word_count(questionnaire.instructions.text) +
-                       word_count(questionnaire.ending.text);
+  const double words =
+      word_count(questionnaire.consent.text) + word_count(questionnaire.instructions.text) +
+      word_count(questionnaire.debriefing.text) + word_count(questionnaire.ending.text);
   double sum = 60.0 * words / pace.words_per_minute +
-               pace.demographic * static_cast<double>(questionnaire.demographics.size());
+               pace.demographic * static_cast<double>(questionnaire.demographics.size() +
+                                                      questionnaire.screening.questions.size());
   for (const Trial& trial : plan.trials) {
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));

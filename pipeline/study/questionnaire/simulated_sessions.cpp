@@ -133,10 +133,11 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
   // None of these affects a session. Texts count by content, not by the file that they were read
   // from.
   questionnaire.pace = {};
+  questionnaire.screening.quotas = {};
   questionnaire.analysis = {};
   const Recruitment recruitment = std::exchange(questionnaire.recruitment, {});
-  for (TextSource* text :
-       {&questionnaire.consent, &questionnaire.instructions, &questionnaire.ending})
+  for (TextSource* text : {&questionnaire.consent, &questionnaire.instructions,
+                           &questionnaire.debriefing, &questionnaire.ending})
     text->file.clear();
   questionnaire.scales.file.clear();
   std::string all = title_of(manifest) + "\n" +

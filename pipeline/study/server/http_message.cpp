@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include <boost/asio/ip/address.hpp>
 #include <nlohmann/json.hpp>
 
 #include "motion/text/as_number.h"
@@ -82,6 +83,15 @@ HttpResponse http_value(const nlohmann::ordered_json& value, int status) {
       http_json(value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   response.status = status;
   return response;
+}
+
+std::string forwarded_address(const HttpRequest& request, const std::string& peer) {
+  const std::string list = header_of(request, "x-forwarded-for");
+  std::string last = list.substr(list.rfind(',') + 1);  // npos + 1 is 0
+  std::erase(last, ' ');
+  boost::system::error_code fault;
+  const auto address = boost::asio::ip::make_address(last, fault);
+  return fault ? peer : address.to_string();
 }
 
 std::string header_of(const HttpRequest& request, const std::string& name) {

@@ -58,6 +58,10 @@ HttpResponse http_json(const std::string& text);
 /// The value as JSON with the given status.
 HttpResponse http_value(const nlohmann::ordered_json& value, int status = 200);
 
+/// The address of the client according to the web server in front of this one: the last in
+/// X-Forwarded-For, which that server has added. `peer` if there is none or it is no IP address.
+std::string forwarded_address(const HttpRequest& request, const std::string& peer);
+
 /// The value of a header; empty if it is missing. `name` must be in lower case.
 std::string header_of(const HttpRequest& request, const std::string& name);
 

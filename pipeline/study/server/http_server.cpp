@@ -211,8 +211,12 @@ class HttpServer::Listener {
       if (!has_more(client, received)) return;
       RequestHead head = read_head(client, received);
       HttpRequest request{.method = head.method, .headers = head.headers, .address = address};
+      if (settings_.behind_proxy) request.address = forwarded_address(request, address);
+      if (!settings_.behind_proxy)
+        for (const char* header : {"x-forwarded-for", "x-forwarded-proto"})
+          request.headers.erase(header);
       if (head.refused == 0) head.refused = read_body(client, head, received, request.body);
-      if (head.refused == 0 && !requests_.allows(address)) head.refused = 429;
+      if (head.refused == 0 && !requests_.allows(request.address)) head.refused = 429;
       if (head.refused != 0) {
         client.expires_after({});
         send_response(client, refusal_of(head.refused, head.lacks_host), false);

@@ -17,6 +17,9 @@ struct HttpSettings {
   std::string listen = "127.0.0.1";  ///< local address to bind to
   int port = 0;                      ///< 0: any free port
   int connections = 192;             ///< maximum number at once; further ones are refused with 503
+  /// All requests come from a web server that states the client's address and protocol in the
+  /// headers X-Forwarded-For and X-Forwarded-Proto. Otherwise these headers are ignored.
+  bool behind_proxy = false;
   RequestLimits limits;
   /// Rate limit of each client address. All participants in a laboratory may share one address
   /// while loading videos.

@@ -13,7 +13,7 @@ namespace {
 
 /// application_id ("mien") and user_version, the version of the tables below.
 constexpr std::int64_t store_application_id = 0x6d69656e;
-constexpr std::int64_t store_version = 1;
+constexpr std::int64_t store_version = 2;
 
 constexpr const char* store_tables = R"(
 CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
@@ -23,7 +23,8 @@ CREATE TABLE sessions(
   participant TEXT NOT NULL UNIQUE,
   link TEXT NOT NULL UNIQUE,
   begun_at TEXT NOT NULL DEFAULT '',
-  came_by TEXT NOT NULL DEFAULT '') STRICT;
+  came_by TEXT NOT NULL DEFAULT '',
+  ended TEXT NOT NULL DEFAULT '') STRICT;
 CREATE TABLE records(
   session INTEGER NOT NULL REFERENCES sessions(number),
   position INTEGER NOT NULL,
@@ -33,7 +34,13 @@ CREATE TABLE records(
   PRIMARY KEY(session, position),
   UNIQUE(session, name)) STRICT, WITHOUT ROWID;
 PRAGMA application_id = 1835623790;
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
+)";
+
+/// From version 1 to 2.
+constexpr const char* store_conversion = R"(
+ALTER TABLE sessions ADD COLUMN ended TEXT NOT NULL DEFAULT '';
+PRAGMA user_version = 2;
 )";
 static_assert(store_application_id == 1835623790);
 
@@ -59,12 +66,13 @@ bool is_without_log(const std::filesystem::path& file) {
 }
 
 void insert_session(Database& database, const StoredSession& session) {
-  Statement statement(database,
-                      "INSERT INTO sessions(number, plan, participant, link, begun_at, came_by) "
-                      "VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
+  Statement statement(
+      database,
+      "INSERT INTO sessions(number, plan, participant, link, begun_at, came_by, ended) "
+      "VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)");
   statement
       .with(session.index, session.plan, session.participant, session.link, session.begun_at,
-            session.entry_route)
+            session.entry_route, session.ended)
       .finish();
 }
 
@@ -81,6 +89,8 @@ void insert_record(Database& database, const StoredRecord& record) {
 SessionStore::SessionStore(const std::filesystem::path& file)
     : lacks_log_(is_without_log(file)), database_(file) {
   prepare();
+  // What is deleted is overwritten by zeros.
+  database_.run("PRAGMA secure_delete = ON");
   // Written to the file itself and not to its log alone, so that a copy without the log is
   // recognised.
   database_.run("INSERT OR REPLACE INTO facts(name, value) VALUES('open', '1')");
@@ -112,8 +122,9 @@ void SessionStore::refuse_missing_log(bool is_new) {
 void SessionStore::prepare() {
   const std::int64_t mark = database_.pragma("application_id");
   const std::int64_t version = database_.pragma("user_version");
-  if (mark == store_application_id && version == store_version) {
+  if (mark == store_application_id && (version == store_version || version == 1)) {
     refuse_missing_log(false);
+    if (version == 1) convert();
     return;
   }
   Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
@@ -131,6 +142,12 @@ void SessionStore::prepare() {
   refuse_missing_log(true);
   Transaction transaction(database_);
   database_.run(store_tables);
+  transaction.commit();
+}
+
+void SessionStore::convert() {
+  Transaction transaction(database_);
+  database_.run(store_conversion);
   transaction.commit();
 }
 
@@ -163,7 +180,8 @@ std::vector<StoredSession> SessionStore::sessions() {
   const std::lock_guard lock(mutex_);
   Statement statement(
       database_,
-      "SELECT number, plan, participant, link, begun_at, came_by FROM sessions ORDER BY number");
+      "SELECT number, plan, participant, link, begun_at, came_by, ended FROM sessions "
+      "ORDER BY number");
   std::vector<StoredSession> sessions;
   while (statement.step())
     sessions.push_back({.index = static_cast<int>(statement.number(0)),
@@ -171,7 +189,8 @@ std::vector<StoredSession> SessionStore::sessions() {
                         .participant = statement.text(2),
                         .link = statement.text(3),
                         .begun_at = statement.text(4),
-                        .entry_route = statement.text(5)});
+                        .entry_route = statement.text(5),
+                        .ended = statement.text(6)});
   return sessions;
 }
 
@@ -183,7 +202,7 @@ bool SessionStore::mark_begun(int session, const std::string& entry_route, const
   return statement.with(session, now, entry_route).finish() > 0;
 }
 
-RecordOutcome SessionStore::keep(const StoredRecord& record) {
+RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& ended) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(database_);
   Statement stored(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
@@ -193,10 +212,31 @@ RecordOutcome SessionStore::keep(const StoredRecord& record) {
   count.with(record.session).step();
   if (count.number(0) != record.position) return RecordOutcome::out_of_order;
   insert_record(database_, record);
+  if (!ended.empty()) {
+    Statement end(database_, "UPDATE sessions SET ended = ?2 WHERE number = ?1");
+    end.with(record.session, ended).finish();
+  }
   // A read statement that is still open would block the commit.
   count.with();
   transaction.commit();
   return RecordOutcome::stored;
+}
+
+int SessionStore::erase_records(int session, const std::string& ended) {
+  const std::lock_guard lock(mutex_);
+  int erased = 0;
+  {
+    Transaction transaction(database_);
+    Statement records(database_, "DELETE FROM records WHERE session = ?1");
+    erased = records.with(session).finish();
+    Statement end(database_,
+                  "UPDATE sessions SET ended = ?2, begun_at = '', came_by = '' WHERE number = ?1");
+    end.with(session, ended).finish();
+    transaction.commit();
+  }
+  // Older pages are still in the log.
+  database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
+  return erased;
 }
 
 std::vector<StoredRecord> SessionStore::records() {

@@ -18,6 +18,7 @@ struct StoredSession {
   std::string link;         ///< secret part of its web address (random_link)
   std::string begun_at;     ///< ISO 8601 time of storing the first record; empty if not begun
   std::string entry_route;  ///< "link" or "join"; empty if not begun
+  std::string ended;        ///< word of an early end, after which nothing is stored; or empty
 };
 
 /// A record that the page of a participant has sent.
@@ -42,9 +43,10 @@ enum class RecordOutcome {
 /// throws WriteFailure and stores nothing; it may be repeated.
 class SessionStore {
  public:
-  /// Opens or creates a file. Throws Error if it is not a session store, has another version of the
-  /// format, is open in another process, or was copied from a running server without its
-  /// write-ahead log (FILE-wal), which contains the latest records.
+  /// Opens or creates a file; one of an earlier format is converted. Throws Error if it is not a
+  /// session store, has a later version of the format, is open in another process, or was copied
+  /// from a running server without its write-ahead log (FILE-wal), which contains the latest
+  /// records.
   explicit SessionStore(const std::filesystem::path& file);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;
@@ -65,14 +67,21 @@ class SessionStore {
   /// Marks a session as begun at `now`. Returns false if it had begun before.
   bool mark_begun(int session, const std::string& entry_route, const std::string& now);
 
-  /// Stores a record of an existing session.
-  RecordOutcome keep(const StoredRecord& record);
+  /// Stores a record of an existing session. `ended` is stored with it, if the record ends the
+  /// session early.
+  RecordOutcome keep(const StoredRecord& record, const std::string& ended = "");
+
+  /// Deletes all records of a session and the times at which it began, and stores how it ended.
+  /// What was deleted is overwritten in the file and its write-ahead log. Returns the number of
+  /// deleted records.
+  int erase_records(int session, const std::string& ended);
 
   std::vector<StoredRecord> records();
   std::vector<StoredRecord> records_of(int session);
 
  private:
   void prepare();
+  void convert();
   void refuse_missing_log(bool is_new);
 
   std::mutex mutex_;

@@ -13,6 +13,15 @@ constexpr auto participant_columns = table_of<ParticipantRow>(
      {"consented_at", "", "time of consent (ISO 8601, UTC)",
       [](auto& r) { return r.consented_at; }},
      {"finished", "", "1 if the participant finished", [](auto& r) { return r.has_finished; }},
+     {"ended", "", "completed or screened_out; empty while under way, or if broken off",
+      [](auto& r) { return r.ended; }},
+     {"screening_fault", "",
+      "why the screening turned the participant away: answer, window, refresh_hz or quota",
+      [](auto& r) { return r.screening_fault; }},
+     {"consent_version", "", "version of the consent text",
+      [](auto& r) { return r.consent_version; }},
+     {"consent_sha256", "", "SHA-256 of the consent text",
+      [](auto& r) { return r.consent_sha256; }},
      {"*", "", "answer to the question", [](auto& r) { return r.answers; }}});
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "motion/text/words.h"
+#include "pipeline/base/documents/sha256.h"
+#include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
@@ -68,6 +70,12 @@ ordered_json recruitment_json(const Questionnaire& asked) {
           {"pseudonymise", recruitment.pseudonymise},
           {"most_failed_checks", asked.analysis.max_failed_checks},
           {"ends", std::move(ends)}};
+}
+
+/// The version and hash of the consent; null if there is none.
+ordered_json consent_json(const Questionnaire& asked) {
+  if (asked.consent.empty()) return nullptr;
+  return {{"version", asked.consent_version}, {"sha256", sha256_of(asked.consent.text)}};
 }
 
 ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
@@ -177,12 +185,17 @@ ordered_json experiment_json(const Manifest& manifest, const std::vector<Session
                              {"texts",
                               {{"consent", texts_of(asked.consent)},
                                {"instructions", texts_of(asked.instructions)},
+                               {"debriefing", texts_of(asked.debriefing)},
                                {"ending", texts_of(asked.ending)}}},
                              {"settings", settings_json(asked)},
                              {"items", items_json(manifest)},
                              {"choices", choices_json(manifest)},
                              {"demographics", demographics_json(asked.demographics)},
                              {"sessions", sessions_json(manifest, plans)}};
+  if (ordered_json consent = consent_json(asked); !consent.is_null())
+    experiment["consent"] = std::move(consent);
+  if (!asked.screening.empty())
+    experiment["screening"] = written(asked.screening, WritingOptions{});
   if (ordered_json recruitment = recruitment_json(asked); !recruitment.is_null())
     experiment["recruitment"] = std::move(recruitment);
   add_media(experiment, media);

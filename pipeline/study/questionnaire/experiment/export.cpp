@@ -60,8 +60,11 @@ ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
     variables.push_back(variable(column.name, column.meaning, column.unit));
-  for (const char* name : {"consented_at", "finished"})
+  for (const char* name : {"consented_at", "finished", "ended", "screening_fault",
+                           "consent_version", "consent_sha256"})
     variables.push_back(variable(name, find_column(participant_form, name)->meaning));
+  for (const ScreeningQuestion& question : questionnaire_of(manifest).screening.questions)
+    variables.push_back(variable(question.id, question.ask));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
     variables.push_back(variable(question.id, question.ask));
   const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
@@ -141,6 +144,9 @@ std::string export_readme(const Manifest& manifest, const std::vector<SessionPla
       first, questionnaire.view == ShownAs::turn ? ", turn_view.js" : "", manifest.study, first);
   if (questionnaire.phones == Phones::refused)
     text += "Participants on phones are turned away with a message, as set in the manifest.\n\n";
+  if (!questionnaire.screening.quotas.empty())
+    text +=
+        "The quotas of the manifest hold only with mien study serve, which knows all sessions.\n\n";
   text += recruitment_readme(questionnaire.recruitment);
   text += fmt::format(
       "Analysis\n"

@@ -9,6 +9,7 @@
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
+#include "pipeline/study/questionnaire/service/screening_record.h"
 
 namespace mien::pipeline {
 
@@ -45,6 +46,31 @@ std::vector<std::string> values_of(const QuestionnaireFacts& facts,
     values.push_back(found == given.end() ? "" : found->second);
   }
   return values;
+}
+
+/// Answers to the questions of the screening, and to those about the participant.
+std::vector<ItemResponse> answers_about_participant(const std::vector<StoredRecord>& records) {
+  std::vector<ItemResponse> answers;
+  for (const StoredRecord& stored : records)
+    if (stored.name == screening_record || stored.name == demographics_record)
+      std::ranges::move(parsed(stored).responses, std::back_inserter(answers));
+  return answers;
+}
+
+/// The row of a session, without answers.
+ParticipantRow participant_row(const QuestionnaireFacts& facts, const SessionState& state,
+                               const PageRecord& consent) {
+  ParticipantRow row = {.participant = state.session.participant,
+                        .session = consent.session,
+                        .design = facts.design,
+                        .has_finished = state.has_finished(),
+                        .consent_version = facts.consent.version,
+                        .consent_sha256 = facts.consent.sha256};
+  if (row.has_finished) row.ended = word_of(session_end_words, SessionEnd::completed);
+  if (state.ended) row.ended = word_of(session_end_words, *state.ended);
+  if (state.ended == SessionEnd::screened_out)
+    row.screening_fault = word_of(screening_fault_words, state.screening_fault);
+  return row;
 }
 
 struct ParticipantLink {
@@ -103,6 +129,8 @@ std::string answers_csv(const ServedStudy& study, const StudySessions& sessions)
 
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<std::string> questions;
+  for (const DemographicQuestion& question : questions_of(study.facts.screening))
+    questions.push_back(question.id);
   for (const DemographicQuestion& question : study.facts.questions)
     questions.push_back(question.id);
   std::vector<std::string> columns = questions;
@@ -112,15 +140,13 @@ std::string participants_csv(const ServedStudy& study, const StudySessions& sess
   std::map<int, std::vector<StoredRecord>> records = records_by_session(sessions);
   for (const SessionState& state : sessions.states()) {
     const std::vector<StoredRecord>& own = records[state.session.index];
-    if (own.empty() || state.has_refused) continue;
-    ParticipantRow row = {state.session.participant, parsed(own.front()).session,
-                          study.facts.design,        own.front().stored_at,
-                          state.has_finished(),      {}};
-    const auto told = std::ranges::find(own, demographics_record, &StoredRecord::name);
-    const PageRecord answers = told == own.end() ? PageRecord() : parsed(*told);
+    if (own.empty() || state.ended == SessionEnd::refused) continue;
+    ParticipantRow row = participant_row(study.facts, state, parsed(own.front()));
+    row.consented_at = own.front().stored_at;
+    const std::vector<ItemResponse> answers = answers_about_participant(own);
     for (const std::string& question : questions) {
-      const auto found = std::ranges::find(answers.responses, question, &ItemResponse::item);
-      row.answers.push_back(found == answers.responses.end() ? "" : found->value_raw);
+      const auto found = std::ranges::find(answers, question, &ItemResponse::item);
+      row.answers.push_back(found == answers.end() ? "" : found->value_raw);
     }
     std::ranges::move(values_of(study.facts, parsed(own.front()).url_parameters),
                       std::back_inserter(row.answers));
@@ -146,6 +172,7 @@ std::string answers_json(const ServedStudy& study, const StudySessions& sessions
                     {"came_by", state.session.entry_route},
                     {"begun_at", state.session.begun_at},
                     {"finished", state.has_finished()},
+                    {"ended", state.ended ? word_of(session_end_words, *state.ended) : ""},
                     {"trials", session.at("trials")},
                     {"records", std::move(given)}});
   }

@@ -8,7 +8,7 @@ namespace mien::pipeline {
 namespace {
 
 std::string state_word(const SessionState& state, std::int64_t now) {
-  if (state.has_refused) return "refused";
+  if (state.ended) return std::string(word_of(session_end_words, *state.ended));
   if (state.has_finished()) return "done";
   if (state.stored == 0) return state.last_seen == 0 ? "waiting" : "opened";
   return state.is_online(now) ? "here" : "away";
@@ -23,7 +23,7 @@ nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
           {"came_by", state.session.entry_route},
           {"kept", state.stored},
           {"records", state.names.size()},
-          {"next", state.has_finished() || state.has_refused ? "" : state.names[state.stored]},
+          {"next", state.has_finished() || state.ended ? "" : state.names[state.stored]},
           {"seen_seconds_ago", last}};
 }
 
@@ -67,7 +67,8 @@ std::string base_of(const HttpRequest& request) {
     return std::isalnum(one) != 0 || one == '.' || one == ':' || one == '-' || one == '[' ||
            one == ']';
   });
-  return is_plain && !host.empty() ? "http://" + host : std::string();
+  const bool is_secure = header_of(request, "x-forwarded-proto") == "https";
+  return is_plain && !host.empty() ? (is_secure ? "https://" : "http://") + host : std::string();
 }
 
 }  // namespace

@@ -61,6 +61,11 @@ void LiveResults::count(Tally& tally, const std::string& label) {
   tally.counts.push_back(1);
 }
 
+void LiveResults::clear() {
+  tallies_.clear();
+  passed_ = failed_ = 0;
+}
+
 void LiveResults::add(const std::vector<AnswerRow>& rows) {
   for (const AnswerRow& row : rows) {
     if (row.passed) ++(*row.passed ? passed_ : failed_);

@@ -18,6 +18,7 @@ class LiveResults {
   explicit LiveResults(const QuestionnaireFacts& facts) : facts_(facts) {}
 
   void add(const std::vector<AnswerRow>& rows);
+  void clear();
 
   /// Answers by item: [{"item": …, "is_pair": false, "answers": 12, "mean": 0.5 or null, "bins":
   /// [{"label": "-2", "count": 3}, …]}, …]

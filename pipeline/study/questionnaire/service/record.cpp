@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/study/questionnaire/service/record_reader.h"
+#include "pipeline/study/questionnaire/service/screening_record.h"
 
 namespace mien::pipeline {
 
@@ -63,6 +64,15 @@ std::map<std::string, std::string> read_url_parameters(const nlohmann::json* val
     if (!value.empty()) read[name] = std::move(value);
   }
   return read;
+}
+
+std::optional<ConsentText> read_consent(const nlohmann::json* text) {
+  if (text == nullptr) return std::nullopt;
+  RecordReader reader(*text, "\"consent\"");
+  ConsentText consent{.version = reader.text("version", max_name_characters * 2),
+                      .sha256 = reader.text("sha256", max_name_characters)};
+  reader.finish();
+  return consent;
 }
 
 const std::string& hash_at(const std::map<std::string, std::string>& hashes,
@@ -131,6 +141,9 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
     asked.is_number = answer == "number";
     facts.questions.push_back(asked);
   }
+  if (const auto consent = experiment.find("consent"); consent != experiment.end())
+    facts.consent = {consent->at("version"), consent->at("sha256")};
+  facts.screening = screening_of(experiment);
   if (const auto found = experiment.find("recruitment"); found != experiment.end()) {
     facts.recruitment.url_parameters = found->at("url_parameters");
     facts.recruitment.pseudonymise = found->at("pseudonymise");
@@ -161,10 +174,12 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.stall_ms = reader.amount("stall_ms", max_ms);
   record.measured.dropped_frames = reader.count("dropped_frames");
   record.measured.blurs = reader.count("blurs");
+  record.measured.blur_ms = reader.amount("blur_ms", max_ms);
   record.measured.viewport_width = reader.count("viewport_width");
   record.measured.viewport_height = reader.count("viewport_height");
   record.measured.refresh_hz = reader.amount("refresh_hz", 10'000);
   record.url_parameters = read_url_parameters(reader.find("url_parameters"));
+  record.consent = read_consent(reader.find("consent"));
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);
@@ -174,6 +189,7 @@ PageRecord read_record(const nlohmann::json& text) {
 
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts) {
   std::vector<std::string> names = {"consent"};
+  if (!facts.screening.empty()) names.push_back("screening");
   if (!facts.questions.empty()) names.push_back("demographics");
   for (const Trial& trial : plan.trials) names.push_back(fmt::format("trial-{}", trial.number));
   names.push_back("ending");

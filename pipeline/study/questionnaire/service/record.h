@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/screening.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -30,6 +31,14 @@ struct RecruitmentFacts {
   int most_failed_checks = 0;
 };
 
+/// The consent text that participants agree to.
+struct ConsentText {
+  std::string version;  ///< as the manifest states it; may be empty
+  std::string sha256;   ///< of the text (UTF-8); empty if the study has none
+
+  friend bool operator==(const ConsentText&, const ConsentText&) = default;
+};
+
 /// The properties of a questionnaire that are needed, in addition to its plans, to check records
 /// and convert them to rows.
 struct QuestionnaireFacts {
@@ -37,6 +46,8 @@ struct QuestionnaireFacts {
   bool simulated = false;
   ResponseScales scales;
   std::vector<std::string> choices;  ///< ids of the choices in emotion trials
+  ConsentText consent;
+  Screening screening;
   std::vector<DemographicQuestion> questions;
   RecruitmentFacts recruitment;
   std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
@@ -51,7 +62,8 @@ Question question_of(const QuestionnaireFacts& facts, const SessionPlan& plan, c
 /// for JSON of another form.
 QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment);
 
-/// A record sent by a participant's page: consent, demographic answers, a trial or the ending.
+/// A record sent by a participant's page: consent, screening, demographic answers, a trial or the
+/// ending.
 struct PageRecord {
   std::string name;     ///< "trial-7"
   std::string session;  ///< random name of the browser session
@@ -62,6 +74,7 @@ struct PageRecord {
   AnswerRow measured;
   /// Only of consent: parameters of the participant's link, by name (or hashes of their values).
   std::map<std::string, std::string> url_parameters;
+  std::optional<ConsentText> consent;      ///< only of consent: the text that was shown
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };
@@ -70,8 +83,8 @@ struct PageRecord {
 /// numbers out of range, and texts that are too long.
 PageRecord read_record(const nlohmann::json& text);
 
-/// Names of a session's records in order: "consent", "demographics" (if there are demographic
-/// questions), "trial-1", …, "ending".
+/// Names of a session's records in order: "consent", "screening" (if there is one), "demographics"
+/// (if there are demographic questions), "trial-1", …, "ending".
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts);
 
 /// One row for each response of a trial, in their order. The record must have been checked

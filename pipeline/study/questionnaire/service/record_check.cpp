@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/study/questionnaire/service/screening_record.h"
 
 namespace mien::pipeline {
 
@@ -65,12 +66,12 @@ void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan
   check_media(facts, trial, record);
 }
 
-void check_demographics(const QuestionnaireFacts& facts, const PageRecord& record) {
+/// Checks answers to questions about the participant.
+void check_questions(const std::vector<DemographicQuestion>& questions, const PageRecord& record) {
   std::set<std::string> answered;
   for (const ItemResponse& response : record.responses) {
-    const auto question =
-        std::ranges::find(facts.questions, response.item, &DemographicQuestion::id);
-    if (question == facts.questions.end() || !answered.insert(response.item).second)
+    const auto question = std::ranges::find(questions, response.item, &DemographicQuestion::id);
+    if (question == questions.end() || !answered.insert(response.item).second)
       throw RecordFault("an answer does not belong to this page, or appears twice");
     if (!question->choices.empty())
       check_known_name(response, question->choices);
@@ -78,13 +79,22 @@ void check_demographics(const QuestionnaireFacts& facts, const PageRecord& recor
       throw RecordFault(fmt::format("\"{}\" is {}", question->id,
                                     question->is_number ? "not a number" : "a number"));
   }
-  for (const DemographicQuestion& question : facts.questions)
+  for (const DemographicQuestion& question : questions)
     if (question.required && !answered.contains(question.id))
       throw RecordFault(fmt::format("\"{}\" is not answered", question.id));
 }
 
-void check_consent(const PageRecord& record) {
+/// A window that is too small, or a slow screen, turns participants away before any question.
+void check_screening(const Screening& screening, const PageRecord& record) {
+  const ScreeningFault fault = screening_fault(screening, record);
+  const bool is_measured = fault == ScreeningFault::window || fault == ScreeningFault::refresh_hz;
+  if (!is_measured || !record.responses.empty()) check_questions(questions_of(screening), record);
+}
+
+void check_consent(const QuestionnaireFacts& facts, const PageRecord& record) {
   check_items(record, {consent_record});
+  if (record.consent && *record.consent != facts.consent)
+    throw RecordFault("the text of the consent was a different one");
   check_known_name(record.responses.front(), {"agreed", consent_refused});
 }
 
@@ -134,10 +144,14 @@ void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
   if (record.matching && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no matching trial");
   check_url_parameters(facts, record);
+  if (record.consent && record.name != consent_record)
+    throw RecordFault("this page has no consent text");
   if (record.name == consent_record) {
-    check_consent(record);
+    check_consent(facts, record);
+  } else if (record.name == screening_record) {
+    check_screening(facts.screening, record);
   } else if (record.name == demographics_record) {
-    check_demographics(facts, record);
+    check_questions(facts.questions, record);
   } else if (record.name == ending_record) {
     check_items(record, {});
   } else if (const Trial* trial = trial_of(plan, record.name)) {

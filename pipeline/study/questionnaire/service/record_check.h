@@ -15,6 +15,7 @@ void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
 const Trial* trial_of(const SessionPlan& plan, const std::string& record_name);
 
 inline constexpr char consent_record[] = "consent";
+inline constexpr char screening_record[] = "screening";
 inline constexpr char demographics_record[] = "demographics";
 inline constexpr char ending_record[] = "ending";
 

@@ -46,7 +46,8 @@ nlohmann::ordered_json destination_json(const nlohmann::ordered_json& experiment
 
 nlohmann::ordered_json public_recruitment(const nlohmann::ordered_json& recruitment) {
   nlohmann::ordered_json seen = recruitment;
-  for (const SessionEnd end : {SessionEnd::completed, SessionEnd::failed_attention})
+  for (const SessionEnd end :
+       {SessionEnd::completed, SessionEnd::failed_attention, SessionEnd::withdrawn})
     seen["ends"].erase(std::string(word_of(session_end_words, end)));
   return seen;
 }

@@ -4,6 +4,7 @@
 
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/study/questionnaire/service/recruited_participants.h"
+#include "pipeline/study/questionnaire/service/screening_record.h"
 
 namespace mien::pipeline {
 
@@ -28,6 +29,8 @@ nlohmann::ordered_json shared_part(const ServedStudy& study) {
   own["media"] = nlohmann::ordered_json::object();
   if (const auto found = own.find("recruitment"); found != own.end())
     *found = public_recruitment(*found);
+  if (const auto found = own.find("screening"); found != own.end())
+    *found = public_screening(*found);
   return own;
 }
 
@@ -64,7 +67,7 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
   own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
   own["kept"] = progress.stored;
   own["browser"] = progress.browser;
-  own["refused"] = progress.has_refused;
+  if (progress.ended) own["ended"] = word_of(session_end_words, *progress.ended);
   if (!progress.destination.is_null()) own["destination"] = progress.destination;
   return own.dump();
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,14 +49,14 @@ Hash media_hash(const ServedStudy& study);
 struct SessionProgress {
   std::vector<std::string> stored;  ///< names of the stored records
   std::string browser;              ///< the browser session that sent them
-  bool has_refused = false;         ///< consent was refused
+  std::optional<SessionEnd> ended;  ///< the session ended early
   /// Where the participant is sent to (recruited_participants.h); null: nowhere, or not yet.
   nlohmann::ordered_json destination = nullptr;
 };
 
 /// experiment.json for one participant's page, with only the session of this participant (which
-/// follows the plan with index `plan`) and its media, and without the member "stimuli" and the
-/// codes of ends that have not been reached.
+/// follows the plan with index `plan`) and its media, and without the member "stimuli", the
+/// answers that the screening accepts, and the codes of ends that have not been reached.
 std::string session_json(const ServedStudy& study, int plan, const std::string& participant,
                          const SessionProgress& progress);
 

@@ -9,6 +9,7 @@
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/recruited_participants.h"
+#include "pipeline/study/questionnaire/service/withdrawal.h"
 
 namespace mien::pipeline {
 
@@ -55,6 +56,16 @@ HttpResponse with_record(
   } catch (const RecordFault& fault) {
     return http_refusal(400, "malformed", fault.what(), "load the page again");
   }
+}
+
+/// A text in the posted JSON; nullopt if it is not there.
+std::optional<std::string> text_in(const HttpRequest& request, const char* member) {
+  if (!is_json(request)) return std::nullopt;
+  const nlohmann::json given = nlohmann::json::parse(request.body, nullptr, false);
+  if (!given.is_object()) return std::nullopt;
+  const auto found = given.find(member);
+  if (found == given.end() || !found->is_string()) return std::nullopt;
+  return found->get<std::string>();
 }
 
 }  // namespace
@@ -118,6 +129,9 @@ HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
   if (request.path.size() == 4 && request.path[2] == "records")
     return request.method == "POST" ? take_record(request, *session)
                                     : http_method_not_allowed("POST");
+  if (request.path.size() == 3 && request.path[2] == "withdrawal")
+    return request.method == "POST" ? take_withdrawal(request, *session)
+                                    : http_method_not_allowed("POST");
   if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   return answer_in_session(request, *session);
 }
@@ -133,7 +147,7 @@ HttpResponse QuestionnaireService::answer_in_session(const HttpRequest& request,
     return http_json(session_json(study_, state.session.plan, state.session.participant,
                                   {.stored = {state.names.begin(), stored_end},
                                    .browser = state.browser,
-                                   .has_refused = state.has_refused,
+                                   .ended = state.ended,
                                    .destination = destination_of(session)}));
   }
   const std::optional<HttpResponse> file = page_file(name);
@@ -165,6 +179,36 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   });
 }
 
+/// Only the browser in which the session was begun may withdraw; again, it has the same answer.
+HttpResponse QuestionnaireService::take_withdrawal(const HttpRequest& request, int session) {
+  const std::optional<std::string> browser = text_in(request, "session");
+  if (!browser)
+    return http_refusal(400, "malformed", "names no browser session", "load the page again");
+  const SessionState state = sessions_.state(session);
+  if (state.ended != SessionEnd::withdrawn) {
+    if (state.stored == 0 || state.browser != *browser)
+      return http_refusal(409, "elsewhere", "this session was started in another browser",
+                          "withdraw there, or ask the experimenter");
+    sessions_.withdraw(session);
+    set_last_failure("");
+  }
+  nlohmann::ordered_json answer = {{"ended", word_of(session_end_words, SessionEnd::withdrawn)}};
+  if (auto destination = destination_of(session); !destination.is_null())
+    answer["destination"] = std::move(destination);
+  return http_value(answer);
+}
+
+HttpResponse QuestionnaireService::take_lab_withdrawal(const HttpRequest& request) {
+  const std::optional<std::string> name = text_in(request, "participant");
+  if (!name) return http_refusal(400, "malformed", "names no participant", "load the page again");
+  const std::optional<int> session = session_of(sessions_.store(), *name);
+  if (!session)
+    return http_refusal(404, "unknown", "no participant with this id or code has given consent",
+                        "check what was entered");
+  const std::string participant = sessions_.state(*session).session.participant;
+  return http_value({{"participant", participant}, {"erased", sessions_.withdraw(*session)}});
+}
+
 HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& record,
                                                const std::string& content) {
   const SubmissionResult given = sessions_.submit(session, record, content);
@@ -172,9 +216,9 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
   if (given.is_other_browser)
     return http_refusal(409, "elsewhere", "this session was started in another browser",
                         "continue there, or ask for another link");
-  if (given.has_refused)
-    return http_refusal(409, "refused", "the participant has not given consent",
-                        "no further answers are accepted");
+  if (given.ended)
+    return http_refusal(409, std::string(word_of(session_end_words, *given.ended)),
+                        "the session has ended", "no further answers are accepted");
   if (given.outcome == RecordOutcome::other)
     return http_refusal(409, "other", "a different answer has already been stored",
                         "the stored answer is kept");
@@ -185,6 +229,8 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
                        {"next", given.next}},
                       409);
   nlohmann::ordered_json kept = {{"kept", record.name}};
+  if (const auto ended = sessions_.state(session).ended)
+    kept["ended"] = word_of(session_end_words, *ended);
   if (auto destination = destination_of(session); !destination.is_null())
     kept["destination"] = std::move(destination);
   return http_value(kept);
@@ -197,7 +243,7 @@ std::optional<std::string> QuestionnaireService::salt() const {
 
 nlohmann::ordered_json QuestionnaireService::destination_of(int session) const {
   const SessionState state = sessions_.state(session);
-  if (state.has_refused) return destination_json(study_.experiment, SessionEnd::refused);
+  if (state.ended) return destination_json(study_.experiment, *state.ended);
   if (!state.has_finished()) return nullptr;
   return destination_json(study_.experiment,
                           completed_end(study_.facts, sessions_.plan_of(state.session),
@@ -249,6 +295,9 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
 
 HttpResponse QuestionnaireService::answer_lab(const HttpRequest& request) {
   if (request.path.size() < 2 || request.path[1] != sessions_.lab_link()) return unknown(request);
+  if (request.path.size() == 3 && request.path[2] == "withdrawal")
+    return request.method == "POST" ? take_lab_withdrawal(request)
+                                    : http_method_not_allowed("POST");
   if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   if (request.path.size() == 2) return redirect(308, "/lab/" + sessions_.lab_link() + "/");
   std::optional<HttpResponse> answer;

@@ -23,11 +23,13 @@ struct ServiceRates {
 ///   /s/<link>/                    a participant's page and its files
 ///   /s/<link>/session.json        content of the page and progress of the session
 ///   /s/<link>/records/<name>      POST: a record
+///   /s/<link>/withdrawal          POST: deletes the participant's answers
 ///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
 ///   /media/<token>                a video or 3-D clip
 ///   /join/<link>/                 the page that asks for consent before a session is assigned
 ///   /join/<link>/records/consent  POST: consent; the response has the link of a session
 ///   /lab/<link>/                  the experimenter's page and exports (lab_answer)
+///   /lab/<link>/withdrawal        POST: deletes the answers of the participant of an id or code
 ///
 /// A participant's link gives access to one session only. No part of a request is used as a file
 /// path. Thread-safe.
@@ -53,16 +55,18 @@ class QuestionnaireService {
   HttpResponse answer_in_session(const HttpRequest& request, int session);
   HttpResponse answer_live(const HttpRequest& request);
   HttpResponse take_record(const HttpRequest& request, int session);
+  HttpResponse take_withdrawal(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
   /// The salt of pseudonyms, if the study keeps hashes of URL parameters.
   std::optional<std::string> salt() const;
-  /// Where the participant is sent to; null unless the session is finished or refused.
+  /// Where the participant is sent to; null unless the session is finished or has ended early.
   nlohmann::ordered_json destination_of(int session) const;
   HttpResponse answer_media(const HttpRequest& request) const;
   std::optional<HttpResponse> page_file(const std::string& name) const;
   HttpResponse answer_join(const HttpRequest& request);
   HttpResponse take_joining(const HttpRequest& request);
   HttpResponse answer_lab(const HttpRequest& request);
+  HttpResponse take_lab_withdrawal(const HttpRequest& request);
   void set_last_failure(const std::string& last_failure);
   HttpResponse unknown(const HttpRequest& request);
 

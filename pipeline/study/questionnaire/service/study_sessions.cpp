@@ -13,8 +13,9 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Limit of sessions by the shared link, for each planned session.
+/// Limits of sessions for each planned one: of those that did not end early, and of all.
 constexpr std::size_t max_sessions_per_plan = 4;
+constexpr std::size_t max_all_sessions_per_plan = 40;
 
 constexpr char study_fact[] = "study";
 constexpr char design_fact[] = "design";
@@ -89,13 +90,21 @@ void StudySessions::load() {
 void StudySessions::add_state(const StoredSession& session) {
   SessionState state{.session = session};
   state.names = record_names(study_.plans.at(static_cast<std::size_t>(session.plan)), study_.facts);
+  state.ended = meaning_of(session_end_words, session.ended);
   by_link_[session.link] = session.index;
   states_.push_back(std::move(state));
 }
 
 void StudySessions::count(SessionState& state, const PageRecord& record) {
   if (state.stored++ == 0) state.browser = record.session;
-  state.has_refused |= is_refusal(record);
+  if (is_refusal(record)) state.ended = SessionEnd::refused;
+  if (record.name == screening_record) {
+    state.screening = record.responses;
+    state.screening_fault = screening_fault(study_.facts.screening, record);
+    // What only a quota can have decided.
+    if (state.ended == SessionEnd::screened_out && state.screening_fault == ScreeningFault::none)
+      state.screening_fault = ScreeningFault::quota;
+  }
   const SessionPlan plan = plan_of(state.session);
   if (const Trial* trial = trial_of(plan, record.name))
     results_.add(rows_of(study_.facts, plan, *trial, record));
@@ -137,17 +146,60 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   if (state.stored > 0 && state.browser != record.session) return {.is_other_browser = true};
   state.last_seen = clock_();
   const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
-  if (state.has_refused && position > 0) return {.has_refused = true};
+  const bool is_stored_before = position < static_cast<std::ptrdiff_t>(state.stored);
+  if (state.ended && !is_stored_before) return {.ended = state.ended};
+  const bool is_turned_away =
+      record.name == screening_record && fault_of(state, record) != ScreeningFault::none;
+  const std::string ended =
+      is_turned_away ? std::string(word_of(session_end_words, SessionEnd::screened_out)) : "";
   const RecordOutcome outcome = store_.keep({.session = session,
                                              .position = static_cast<int>(position),
                                              .name = record.name,
                                              .content = content,
-                                             .stored_at = iso_time(state.last_seen)});
+                                             .stored_at = iso_time(state.last_seen)},
+                                            ended);
   if (outcome == RecordOutcome::stored) {
+    if (is_turned_away) state.ended = SessionEnd::screened_out;
     count(state, record);
     mark_begun(state);
   }
-  return {.outcome = outcome, .next = state.has_finished() ? "" : state.names[state.stored]};
+  const bool is_over = state.has_finished() || state.ended.has_value();
+  return {.outcome = outcome, .next = is_over ? "" : state.names[state.stored]};
+}
+
+ScreeningFault StudySessions::fault_of(const SessionState& state, const PageRecord& record) const {
+  const ScreeningFault own = screening_fault(study_.facts.screening, record);
+  if (own != ScreeningFault::none) return own;
+  const bool is_full = std::ranges::any_of(study_.facts.screening.quotas, [&](const Quota& quota) {
+    return counts_for(quota, record.responses) && is_quota_full(quota, state.session.index);
+  });
+  return is_full ? ScreeningFault::quota : ScreeningFault::none;
+}
+
+/// Participants who have finished or are following their plan count. The caller must prevent others
+/// from passing the screening meanwhile.
+bool StudySessions::is_quota_full(const Quota& quota, int besides) const {
+  const auto counted = std::ranges::count_if(states_, [&](const SessionState& state) {
+    const bool is_there =
+        state.has_finished() || (state.is_under_way() && state.is_online(clock_()));
+    return is_there && state.session.index != besides && counts_for(quota, state.screening);
+  });
+  return counted >= quota.at_most;
+}
+
+int StudySessions::withdraw(int session) {
+  const std::lock_guard lock(mutex_);
+  const int erased =
+      store_.erase_records(session, std::string(word_of(session_end_words, SessionEnd::withdrawn)));
+  // The results count the answers of all sessions.
+  std::map<int, std::int64_t> seen;
+  for (const SessionState& state : states_) seen[state.session.index] = state.last_seen;
+  states_.clear();
+  by_link_.clear();
+  results_.clear();
+  load();
+  for (SessionState& state : states_) state.last_seen = seen[state.session.index];
+  return erased;
 }
 
 bool StudySessions::has_enough() const {
@@ -158,10 +210,14 @@ bool StudySessions::has_enough() const {
 /// The caller must prevent other participants from joining meanwhile.
 bool StudySessions::is_full() const {
   std::vector<bool> finished(study_.plans.size());
-  for (const SessionState& state : states_)
+  std::size_t lasting = 0;
+  for (const SessionState& state : states_) {
+    lasting += state.ended ? 0 : 1;
     if (state.has_finished()) finished[static_cast<std::size_t>(state.session.plan)] = true;
+  }
   return std::ranges::all_of(finished, std::identity()) ||
-         states_.size() >= max_sessions_per_plan * study_.plans.size();
+         lasting >= max_sessions_per_plan * study_.plans.size() ||
+         states_.size() >= max_all_sessions_per_plan * study_.plans.size();
 }
 
 /// The caller must prevent other participants from joining meanwhile.
@@ -169,7 +225,7 @@ StoredSession StudySessions::additional_session() const {
   std::vector<int> given(study_.plans.size()), finished(study_.plans.size());
   for (const SessionState& state : states_) {
     const auto plan = static_cast<std::size_t>(state.session.plan);
-    const bool is_under_way = state.stored > 0 && !state.has_refused && state.is_online(clock_());
+    const bool is_under_way = state.is_under_way() && state.is_online(clock_());
     finished[plan] += state.has_finished() ? 1 : 0;
     given[plan] += state.has_finished() || is_under_way ? 1 : 0;
   }

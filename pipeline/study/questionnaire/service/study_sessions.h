@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/study/questionnaire/service/live_results.h"
+#include "pipeline/study/questionnaire/service/screening_record.h"
 #include "pipeline/study/questionnaire/service/served_study.h"
 #include "pipeline/study/server/session_store.h"
 
@@ -30,9 +31,14 @@ struct SessionState {
   /// since the server started.
   std::int64_t last_seen = 0;
   std::string browser;  ///< browser session that sent the first record; other browsers are refused
-  bool has_refused = false;
+  /// How the session ended early: refused, screened_out or withdrawn. Nothing more is accepted.
+  std::optional<SessionEnd> ended;
+  std::vector<ItemResponse> screening;  ///< answers to the questions of the screening
+  ScreeningFault screening_fault = ScreeningFault::none;  ///< why it turned the participant away
 
   bool has_finished() const { return stored == names.size(); }
+  /// Has begun and neither finished nor ended early.
+  bool is_under_way() const { return stored > 0 && !has_finished() && !ended; }
   /// Whether `last_seen` is within the last five minutes.
   bool is_online(std::int64_t now) const { return last_seen != 0 && now - last_seen <= 300; }
 };
@@ -43,8 +49,8 @@ struct SubmissionResult {
   /// Name of the next record to be sent; empty if the session is finished, or if one of the
   /// following members is true.
   std::string next;
-  bool has_refused = false;  ///< the participant has refused consent; further records are refused
-  bool is_other_browser = false;  ///< the session was begun in another browser
+  std::optional<SessionEnd> ended;  ///< the session ended early; further records are refused
+  bool is_other_browser = false;    ///< the session was begun in another browser
 };
 
 /// The sessions of a served study: links and progress. Thread-safe.
@@ -64,17 +70,25 @@ class StudySessions {
   /// Sets the time at which the participant's page last loaded its session.
   void note_request(int session);
 
-  /// Stores a record, which must have been checked (record_check.h). `content`: its JSON text.
+  /// Stores a record, which must have been checked (record_check.h). `content`: its JSON text. A
+  /// screening that turns the participant away (screening_record.h), or a quota that is full, ends
+  /// the session.
   SubmissionResult submit(int session, const PageRecord& record, const std::string& content);
+
+  /// Deletes all that is stored of a session and ends it as withdrawn; only its number and link
+  /// remain. Returns the number of deleted records. Throws WriteFailure as SessionStore does.
+  int withdraw(int session);
 
   /// Adds a session for a participant who gave consent on the page of the shared link. It follows
   /// the plan that the fewest participants have finished or are following (next_plan). Participants
-  /// who have refused consent, or are offline without having finished, are not counted. Planned
-  /// sessions are never used, since their links may have been handed out. If a browser session
-  /// that has already joined sends consent again, its session is returned. Nullopt if has_enough().
+  /// whose session ended early, or who are offline without having finished, are not counted.
+  /// Planned sessions are never used, since their links may have been handed out. If a browser
+  /// session that has already joined sends consent again, its session is returned. Nullopt if
+  /// has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
-  /// Whether all plans are finished or the maximum number of sessions, four per plan, is reached.
+  /// Whether all plans are finished, or the maximum number of sessions is reached: four per plan
+  /// apart from those that ended early, and forty per plan in all.
   bool has_enough() const;
 
   std::string lab_link() const { return lab_link_; }
@@ -94,6 +108,9 @@ class StudySessions {
   void begin();
   void mark_begun(SessionState& state);
   void load();
+  bool is_quota_full(const Quota& quota, int besides) const;
+  /// Why the screening turns the participant of a session away.
+  ScreeningFault fault_of(const SessionState& state, const PageRecord& record) const;
   void add_state(const StoredSession& session);
   void count(SessionState& state, const PageRecord& record);
   bool is_full() const;

@@ -73,6 +73,39 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "questionnaire.demographics[0].id", "a column with this name"},
       {"participants: 4, scales: all, demographics: [{id: url_age, ask: x, answer: text}]",
        "questionnaire.demographics[0].id", "begin with url_"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: text}]}",
+       "questionnaire.screening.questions[0].answer", "number"},
+      {"participants: 4, scales: all, screening: {questions: [{id: session, ask: x, answer: "
+       "number}]}",
+       "questionnaire.screening.questions[0].id", "a column with this name"},
+      {"participants: 4, scales: all, demographics: [{id: a, ask: x, answer: text}], screening: "
+       "{questions: [{id: a, ask: x, answer: number}]}",
+       "questionnaire.demographics[0].id", "already the id of another question"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: number, "
+       "accept: ['18']}]}",
+       "questionnaire.screening.questions[0].accept", "is a number"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: number, "
+       "accept: yes}]}",
+       "questionnaire.screening.questions[0].accept", "is a number"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: number, "
+       "accept: {from: 65, to: 18}}]}",
+       "questionnaire.screening.questions[0].accept", "exchange from and to"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: [yes, no], "
+       "accept: [yess]}]}",
+       "questionnaire.screening.questions[0].accept[0]", "\"yes\""},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: [yes, no], "
+       "accept: {from: 1}}]}",
+       "questionnaire.screening.questions[0].accept", "is one of a list"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: [yes, no], "
+       "accept: [yes, no]}]}",
+       "questionnaire.screening.questions[0].accept", "every answer is accepted"},
+      {"participants: 4, scales: all, screening: {questions: [{id: a, ask: x, answer: [yes, no]}], "
+       "quotas: [{of: {b: yes}, at_most: 3}]}",
+       "questionnaire.screening.quotas[0].of.b", "is no screening question"},
+      {"participants: 4, scales: all, analysis: {quality: {repeated_by: PROLIFIC_PID}}",
+       "questionnaire.analysis.quality.repeated_by", "does not keep the URL parameter"},
+      {"participants: 4, scales: all, analysis: {quality: {min_rt_ms: 500, max_rt_ms: 500}}",
+       "questionnaire.analysis.quality.min_rt_ms", "is not below max_rt_ms"},
       {"participants: 4, scales: all, recruitment: {prolific: {completd: C1}}",
        "questionnaire.recruitment.prolific", "did you mean \"completed\""},
       {"participants: 4, scales: all, recruitment: {prolific: {completed: C 1}}",

@@ -74,6 +74,11 @@ constexpr char with_questions_and_factors[] =
 constexpr char with_questions_and_glb[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
+constexpr char with_screening[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "screening": {"questions": [{"id": "age", "ask": "How old?", "answer": "number"}]}}, "output": {"video": ["mp4"]}})";
+constexpr char with_prolific[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "recruitment": {"prolific": {"completed": "DONE"}}}, "output": {"video": ["mp4"]}})";
+
 constexpr char with_matching[] =
     R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
 
@@ -106,6 +111,19 @@ const Surroundings surroundings[] = {
     {"matching.demographics[].", with_matching,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"matching", with_matching, "{}"},
+    {"questionnaire.recruitment.prolific.", with_prolific, "{}"},
+    {"questionnaire.recruitment.pseudonymise", with_prolific, "{}"},
+    {"questionnaire.analysis.quality.repeated_by",
+     R"({"questionnaire": {"participants": 4, "scales": "all", "recruitment": {"url_parameters": ["a", "b"]}}, "output": {"video": ["mp4"]}})",
+     "{}"},
+    {"questionnaire.screening.questions[].accept.", with_screening, "{}"},
+    {"questionnaire.screening.questions[].accept", with_screening,
+     R"({"answer": ["f", "m", "x"]})"},
+    {"questionnaire.screening.quotas[].of.", with_screening, "{}"},
+    {"questionnaire.screening.quotas[].of", with_screening, R"({"at_most": 3})"},
+    {"questionnaire.screening.quotas[].", with_screening, R"({"of": {"age": {"from": 18}}})"},
+    {"questionnaire.screening.quotas", with_screening, "{}"},
+    {"questionnaire.screening.questions[].", with_screening, "{}"},
     {"questionnaire.order", with_questions_and_factors, "{}"},
     {"questionnaire.no_repeats", with_questions_and_factors, "{}"},
     {"questionnaire.view", with_questions_and_glb, "{}"},
@@ -119,6 +137,7 @@ const Surroundings surroundings[] = {
     {"questionnaire.demographics[].", with_questions,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"questionnaire.", with_questions, "{}"},
+    {"questionnaire", R"({"output": {"video": ["mp4"]}})", "{}"},
     {"interpolation.neighbours", with_wishes, R"({"method": "knn"})"},
     {"interpolation.blends", with_wishes, R"({"method": "knn"})"},
     {"interpolation.power", with_wishes, R"({"method": "inverse-distance"})"},
@@ -327,11 +346,63 @@ const Values chosen_values[] = {
     {"matching.features", R"([["step-length"], ["step-length", "lateral-swing"]])"},
     {"matching.target_colour", R"(["#112233", "#445566"])"},
     {"matching.created_colour", R"(["#112233", "#445566"])"},
+    {"matching.consent", R"(["Yes.", "No."])"},
+    {"matching.consent.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"matching.instructions", R"(["Look.", "Look well."])"},
+    {"matching.instructions.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"matching.ending", R"(["Thanks.", "The end."])"},
+    {"matching.ending.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"matching.show_examples", "[false, true]"},
+    {"matching.demographics",
+     R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},
+    {"matching.demographics[].id", R"(["age", "sex"])"},
+    {"matching.demographics[].ask", R"(["Who?", "Which?"])"},
+    {"matching.demographics[].answer", R"(["number", ["f", "m"]])"},
+    {"regression", R"([{"position_mm": 1}, {"position_mm": 2}])"},
+    {"regression.parts_mm", R"([{"left hand": 5}, {"left hand": 6}])"},
     {"questionnaire",
      R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
     {"questionnaire.title", R"(["How?", "What?"])"},
     {"questionnaire.consent", R"(["Yes.", "No."])"},
+    {"questionnaire.consent_version", R"(["1", "2"])"},
     {"questionnaire.instructions", R"(["Look.", "Look well."])"},
+    {"questionnaire.debriefing", R"(["It was about walks.", "It was about style."])"},
+    {"questionnaire.debriefing.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"questionnaire.screening", R"([{"refresh_hz": 50}, {"refresh_hz": 100}])"},
+    {"questionnaire.screening.questions",
+     R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "eyes", "ask": "Do you see well?", "answer": ["yes", "no"]}]])"},
+    {"questionnaire.screening.questions[].id", R"(["age", "years"])"},
+    {"questionnaire.screening.questions[].ask", R"(["How old?", "Your age?"])"},
+    {"questionnaire.screening.questions[].answer", R"(["number", ["young", "old"]])"},
+    {"questionnaire.screening.questions[].accept", R"([["f"], ["m", "x"]])"},
+    {"questionnaire.screening.questions[].accept.from", "[18, 21]"},
+    {"questionnaire.screening.questions[].accept.to", "[65, 70]"},
+    {"questionnaire.screening.quotas",
+     R"([[{"of": {"age": {"from": 18}}, "at_most": 3}], [{"of": {"age": {"from": 18}}, "at_most": 4}]])"},
+    {"questionnaire.screening.quotas[].of", R"([{"age": {"from": 18}}, {"age": {"to": 30}}])"},
+    {"questionnaire.screening.quotas[].of.from", "[18, 21]"},
+    {"questionnaire.screening.quotas[].of.to", "[65, 70]"},
+    {"questionnaire.screening.quotas[].at_most", "[3, 4]"},
+    {"questionnaire.screening.window", "[[800, 600], [1000, 600]]"},
+    {"questionnaire.screening.refresh_hz", "[50, 100]"},
+    {"questionnaire.recruitment", R"([{"url_parameters": ["a"]}, {"url_parameters": ["b"]}])"},
+    {"questionnaire.recruitment.url_parameters", R"([["a"], ["b"]])"},
+    {"questionnaire.recruitment.prolific", R"([{"completed": "DONE"}, {"completed": "ENDED"}])"},
+    {"questionnaire.recruitment.prolific.completed", R"(["DONE", "ENDED"])"},
+    {"questionnaire.recruitment.prolific.screened_out", R"(["OUT", "SORRY"])"},
+    {"questionnaire.recruitment.prolific.refused", R"(["NO", "NOT"])"},
+    {"questionnaire.recruitment.prolific.withdrawn", R"(["LEFT", "GONE"])"},
+    {"questionnaire.recruitment.prolific.failed_attention", R"(["FAILED", "MISSED"])"},
+    {"questionnaire.recruitment.redirect",
+     R"([{"completed": "https://a.org"}, {"completed": "https://b.org"}])"},
+    {"questionnaire.recruitment.redirect.completed", R"(["https://a.org", "https://b.org"])"},
+    {"questionnaire.recruitment.redirect.screened_out", R"(["https://a.org", "https://b.org"])"},
+    {"questionnaire.recruitment.redirect.refused", R"(["https://a.org", "https://b.org"])"},
+    {"questionnaire.recruitment.redirect.withdrawn", R"(["https://a.org", "https://b.org"])"},
+    {"questionnaire.recruitment.redirect.failed_attention",
+     R"(["https://a.org", "https://b.org"])"},
+    {"questionnaire.analysis.quality", R"([{"min_rt_ms": 200}, {"min_rt_ms": 300}])"},
+    {"questionnaire.analysis.quality.repeated_by", R"(["a", "b"])"},
     {"questionnaire.ending", R"(["Thanks.", "The end."])"},
     {"questionnaire.analysis.plan", R"(["One test.", "Two tests."])"},
     {"questionnaire.consent.file", R"(["my.set.yaml", "my.scales.yaml"])"},
@@ -570,7 +641,11 @@ const Entry* entry_for(const Entry (&entries)[Count], const std::string& path) {
 std::vector<std::string> steps_of(const std::string& path) {
   std::vector<std::string> steps;
   std::istringstream text(path);
-  for (std::string step; std::getline(text, step, '.');) steps.push_back(step);
+  for (std::string step; std::getline(text, step, '.');) {
+    steps.push_back(step);
+    // A map with keys that its author chooses.
+    if (step == "of" && path.find("quotas[].of.") != std::string::npos) steps.push_back("age");
+  }
   return steps;
 }
 
@@ -599,6 +674,11 @@ void add_around(json& manifest, const std::string& path) {
     const std::string list = path.substr(0, path.find("[]", path.find("camera.path")));
     parent_of(manifest, steps_of(list))["path"] = parsed(
         R"([{"at": 0, "position": [3, 1, 1], "target": [0, 1, 0]}, {"at": 1, "position": [3, 1, 2], "target": [0, 1, 0]}])");
+  }
+  if (path.find("quotas[].of.") != std::string::npos) {
+    manifest["questionnaire"] = parsed(with_screening)["questionnaire"];
+    manifest["questionnaire"]["screening"]["quotas"] =
+        parsed(R"([{"of": {"age": {}}, "at_most": 3}])");
   }
   if (path.find("within.") != std::string::npos)
     manifest["stimuli"][0]["modify"]["constraints"] = parsed(R"([{"part": "left-hand"}])");

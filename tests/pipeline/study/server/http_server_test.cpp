@@ -242,6 +242,47 @@ TEST(HttpServer, LimitsHowOftenAnAddressAsks) {
   EXPECT_EQ(status_in(reply_of(server.port(), get_request("/a"))), 429);
 }
 
+/// Tells where the client is, and by which protocol it came.
+HttpResponse where_from(const HttpRequest& request) {
+  return {.body = request.address + " " + header_of(request, "x-forwarded-for") + " " +
+                  header_of(request, "x-forwarded-proto")};
+}
+
+TEST(HttpServer, BelievesAProxyOnlyWhereThereIsOne) {
+  const std::string request =
+      get_request("/a", "X-Forwarded-For: 203.0.113.9\r\nX-Forwarded-Proto: https\r\n");
+  const HttpServer alone(HttpSettings{}, where_from);
+  EXPECT_EQ(body_in(reply_of(alone.port(), request)), "127.0.0.1  ");
+  const HttpServer behind({.behind_proxy = true}, where_from);
+  EXPECT_EQ(body_in(reply_of(behind.port(), request)), "203.0.113.9 203.0.113.9 https");
+  EXPECT_EQ(body_in(reply_of(behind.port(), get_request("/a"))), "127.0.0.1  ");
+}
+
+TEST(HttpServer, TakesTheAddressThatTheNearestProxyHasAdded) {
+  const auto address = [](const std::string& header) {
+    HttpRequest request;
+    request.headers["x-forwarded-for"] = header;
+    return forwarded_address(request, "127.0.0.1");
+  };
+  EXPECT_EQ(address("198.51.100.7, 203.0.113.9"), "203.0.113.9");
+  EXPECT_EQ(address("2001:DB8:0:0::1"), "2001:db8::1") << "one address has one text";
+  for (const char* none : {"", "unknown", "203.0.113.9, ", "1.2.3.4:80", "203.0.113.300"})
+    EXPECT_EQ(address(none), "127.0.0.1") << none;
+}
+
+TEST(HttpServer, LimitsClientsBehindAProxyOneByOne) {
+  const HttpServer server({.behind_proxy = true, .requests = {.burst = 2, .per_second = 0.001}},
+                          where_from);
+  const auto status = [&](const char* address) {
+    const std::string header = std::string("X-Forwarded-For: ") + address + "\r\n";
+    return status_in(reply_of(server.port(), get_request("/a", header)));
+  };
+  EXPECT_EQ(status("203.0.113.1"), 200);
+  EXPECT_EQ(status("203.0.113.1"), 200);
+  EXPECT_EQ(status("203.0.113.1"), 429);
+  EXPECT_EQ(status("203.0.113.2"), 200);
+}
+
 TEST(HttpServer, SendsTheRangesOfAFileThatAreAskedFor) {
   const TemporaryFolder folder;
   std::string bytes;

@@ -31,6 +31,9 @@ class RawClient {
 /// What the server answers to these bytes until it closes.
 std::string reply_of(int port, const std::string& bytes);
 
+/// A port of this machine that was free a moment ago.
+int free_port();
+
 /// "GET /x HTTP/1.1" with what has to be there, and the connection to be closed.
 std::string get_request(const std::string& target, const std::string& headers = "");
 std::string post_request(const std::string& target, const std::string& body,

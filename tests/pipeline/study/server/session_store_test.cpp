@@ -48,6 +48,78 @@ TEST(SessionStore, KeepsWhatItIsGivenOnceAndInOrder) {
   EXPECT_EQ(store.records().size(), 3u);
 }
 
+TEST(SessionStore, KeepsHowASessionEnded) {
+  const TemporaryFolder folder;
+  {
+    SessionStore store(folder.path() / "answers.db");
+    begin_two(store);
+    EXPECT_EQ(store.keep(trial(1, 1, "a"), "screened_out"), RecordOutcome::stored);
+    EXPECT_EQ(store.keep(trial(1, 1, "a"), "screened_out"), RecordOutcome::same);
+    EXPECT_EQ(store.keep(trial(0, 2, "a"), "screened_out"), RecordOutcome::out_of_order);
+  }
+  SessionStore store(folder.path() / "answers.db");
+  EXPECT_EQ(store.sessions().at(0).ended, "");
+  EXPECT_EQ(store.sessions().at(1).ended, "screened_out");
+}
+
+/// Whether a file or its write-ahead log holds the text.
+bool holds(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path log = file.string() + "-wal";
+  return read_file(file).find(text) != std::string::npos ||
+         (exists(log) && read_file(log).find(text) != std::string::npos);
+}
+
+TEST(SessionStore, OverwritesWhatIsErased) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.db";
+  const std::string secret = "the answer of somebody who withdraws";
+  const std::string longer(20'000, 'x');
+  SessionStore store(file);
+  begin_two(store);
+  for (int number = 1; number < 30; ++number) {
+    store.keep(trial(0, number, secret + std::to_string(number) + longer));
+    store.keep(trial(1, number, "of another" + std::to_string(number) + longer));
+  }
+  store.mark_begun(0, "join", "2026-05-05T00:00:00Z");
+  ASSERT_TRUE(holds(file, secret));
+  EXPECT_EQ(store.erase_records(0, "withdrawn"), 29);
+  EXPECT_FALSE(holds(file, secret));
+  EXPECT_FALSE(holds(file, "2026-05-05"));
+  EXPECT_TRUE(holds(file, "of another29"));
+  EXPECT_TRUE(store.records_of(0).empty());
+  EXPECT_EQ(store.records_of(1).size(), 29u);
+  EXPECT_EQ(store.sessions().at(0).ended, "withdrawn");
+  EXPECT_EQ(store.erase_records(0, "withdrawn"), 0);
+}
+
+/// The tables of version 1, which had no ends of sessions.
+TEST(SessionStore, ConvertsFilesOfTheFirstVersion) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.db";
+  {
+    Database database(file);
+    database.run(R"(
+      CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
+      CREATE TABLE sessions(number INTEGER PRIMARY KEY, plan INTEGER NOT NULL,
+        participant TEXT NOT NULL UNIQUE, link TEXT NOT NULL UNIQUE,
+        begun_at TEXT NOT NULL DEFAULT '', came_by TEXT NOT NULL DEFAULT '') STRICT;
+      CREATE TABLE records(session INTEGER NOT NULL REFERENCES sessions(number),
+        position INTEGER NOT NULL, name TEXT NOT NULL, content TEXT NOT NULL,
+        kept_at TEXT NOT NULL, PRIMARY KEY(session, position), UNIQUE(session, name))
+        STRICT, WITHOUT ROWID;
+      INSERT INTO sessions(number, plan, participant, link) VALUES(0, 0, 'p001', 'one');
+      INSERT INTO records VALUES(0, 0, 'consent', '{}', 'then');
+      PRAGMA application_id = 1835623790;
+      PRAGMA user_version = 1;)");
+  }
+  for (int opened = 0; opened < 2; ++opened) {
+    SessionStore store(file);
+    EXPECT_EQ(store.records().size(), 1u);
+    EXPECT_EQ(store.sessions().at(0).link, "one");
+    EXPECT_EQ(store.sessions().at(0).ended, "");
+  }
+}
+
 TEST(SessionStore, IsThereAgainWithAllThatWasKept) {
   const TemporaryFolder folder;
   {
@@ -165,7 +237,7 @@ TEST(SessionStore, RefusesFilesOfAnotherKind) {
   {
     SessionStore(folder.path() / "later.db");
     Database later(folder.path() / "later.db");
-    later.run("PRAGMA user_version = 2");
+    later.run("PRAGMA user_version = 3");
   }
   EXPECT_THROW(SessionStore(folder.path() / "later.db"), Error);
   std::filesystem::create_symlink(folder.path() / "elsewhere.db", folder.path() / "link.db");

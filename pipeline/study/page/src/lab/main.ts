@@ -8,6 +8,7 @@ const refreshMilliseconds = 3000;
 /** Words of states, in the order in which participants are listed. */
 const states: Record<Participant["state"], string> = {
   here: "here", away: "away", opened: "opened, not agreed", waiting: "not come yet", done: "done", refused: "refused",
+  screened_out: "screened out", withdrawn: "withdrawn",
 };
 const order = Object.keys(states);
 
@@ -47,14 +48,14 @@ function seenText(seconds: number | null): string {
   return `${Math.floor(seconds / 3600)} h ago`;
 }
 
-const pageNames: Record<string, string> = { consent: "consent", demographics: "questions about the person", ending: "end" };
+const pageNames: Record<string, string> = { consent: "consent", screening: "screening", demographics: "questions about the person", ending: "end" };
 const pageText = (name: string): string => pageNames[name] ?? name.replace("trial-", "trial ");
 
 function showOverview(status: LabStatus): void {
   const count = (state: Participant["state"]) => status.participants.filter((one) => one.state === state).length;
   const answers = status.histograms.reduce((sum, one) => sum + one.answers, 0);
   const numbers: [string, number][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
-    ["Away", count("away")], ["Refused", count("refused")], ...(status.is_matching ? [] : [["Answers", answers] as [string, number]])];
+    ["Away", count("away")], ["Refused", count("refused")], ["Screened out", count("screened_out")], ["Withdrawn", count("withdrawn")], ...(status.is_matching ? [] : [["Answers", answers] as [string, number]])];
   const list = at("overview");
   if (list.children.length !== numbers.length)
     list.replaceChildren(...numbers.map(() => element("div", {}, element("dt"), element("dd"))));
@@ -154,6 +155,27 @@ async function refresh(): Promise<void> {
   setTimeout(refresh, refreshMilliseconds);
 }
 
+/** Deletes the answers of a participant, after asking once more. */
+async function withdraw(): Promise<void> {
+  const field = at("withdrawn") as HTMLInputElement;
+  const participant = field.value.trim();
+  if (!participant || !confirm(`Delete all answers of ${participant}? This cannot be undone.`)) return;
+  const note = at("withdrawal-said");
+  try {
+    const answer = await fetch("withdrawal", { method: "POST", headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ participant }) });
+    const said = (await answer.json()) as { participant?: string; erased?: number; wrong?: string };
+    note.textContent = answer.ok ? `${said.participant}: ${said.erased} records deleted.` : `Not deleted: ${said.wrong}.`;
+    if (answer.ok) field.value = "";
+  } catch {
+    note.textContent = "Not deleted: the server cannot be reached.";
+  }
+}
+
+at("withdrawal").addEventListener("submit", (event) => {
+  event.preventDefault();
+  void withdraw();
+});
 at("copy-join").addEventListener("click", () => void copy(join.value, at("copy-join")));
 join.addEventListener("focus", () => join.select());
 void refresh();

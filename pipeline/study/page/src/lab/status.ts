@@ -17,7 +17,7 @@ export interface LabStatus {
 export interface Participant {
   participant: string;
   link: string;
-  state: "waiting" | "opened" | "here" | "away" | "done" | "refused";
+  state: "waiting" | "opened" | "here" | "away" | "done" | "refused" | "screened_out" | "withdrawn";
   kept: number;
   records: number;
   /** The record that comes next. */

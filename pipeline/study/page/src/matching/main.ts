@@ -7,7 +7,8 @@ import { saveOnce, type SavedFile } from "../questionnaire/files";
 import { isTouched } from "../questionnaire/measures";
 import { runScript } from "../questionnaire/media";
 import { participantsCsv } from "../questionnaire/rows";
-import { experimentOf, expectOwn, mayBegin, showEnding } from "../questionnaire/session_page";
+import { endWithdrawalOffer } from "../questionnaire/withdrawal";
+import { experimentOf, expectOwn, mayBegin, mayWithdraw, showEnding } from "../questionnaire/session_page";
 import { Drawer, type Store } from "../questionnaire/store";
 import { base, modeOfPage, root, show, showClosed, storeOf, type Mode } from "../questionnaire/surroundings";
 import { pageRecord, showTextPage, waitNote, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
@@ -130,7 +131,7 @@ class Session {
         const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
         if (agreed || mode !== "static")
           await this.keep(pageRecord("consent", this.store.name, { ...given, responses }), page);
-        if (agreed) return;
+        if (agreed) return mayWithdraw(experiment, this.store, texts, {});
         if (mode === "static") this.store.clear?.();
         show(texts.thanks, [texts.refused]);
         await new Promise(() => {});  // nothing follows
@@ -270,10 +271,13 @@ async function main(): Promise<void> {
       "participants.csv": participantsCsv(experiment, session, records),
     }),
   });
+  const isOwn = !experiment.browser || experiment.browser === store.name;
+  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, {});
   if (!namesOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
     await new Session(mode, experiment, store, texts).run();
   }
+  if (mode === "static") endWithdrawalOffer();
   showEnding(mode, experiment, store, texts, () => savedFiles(experiment, store));
 }
 

@@ -222,6 +222,6 @@ export async function runTrial(
   release();
   return {
     record: `trial-${trial.number}`, session: around.name, responses: [], comment: "", started_at: startedAt, trial_ms: trialMs,
-    blurs: blurs(), viewport_width: innerWidth, viewport_height: innerHeight, matching: matched,
+    ...blurs(), viewport_width: innerWidth, viewport_height: innerHeight, matching: matched,
   };
 }

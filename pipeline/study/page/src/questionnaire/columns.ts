@@ -6,12 +6,13 @@ export const answerColumns = [
   "stimulus_sha256", "against", "item", "value_raw", "value", "pole_left",
   "rt_ms", "is_practice", "is_warmup", "is_check", "expected", "passed",
   "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
-  "dropped_frames", "blurs", "viewport_width", "viewport_height", "refresh_hz", "comment",
-  "seed", "design", "simulated",
+  "dropped_frames", "blurs", "blur_ms", "viewport_width", "viewport_height", "refresh_hz",
+  "comment", "seed", "design", "simulated",
 ] as const;
 
 export const participantColumns = [
-  "participant", "session", "design", "consented_at", "finished",
+  "participant", "session", "design", "consented_at", "finished", "ended",
+  "screening_fault", "consent_version", "consent_sha256",
 ] as const;
 
 export const trialColumns = [

@@ -8,11 +8,14 @@ export interface Experiment {
   language: "en" | "ja";
   design: string;
   simulated: boolean;
-  texts: { consent: string[]; instructions: string[]; ending: string[] };
+  texts: ExperimentTexts;
+  /** Which consent text is shown. */
+  consent?: ConsentText;
   settings: Settings;
   items: Record<string, Item>;
   /** What trials offer to choose from: as it is shown. */
   choices?: Record<string, string>;
+  screening?: Screening;
   demographics: Demographic[];
   recruitment?: Recruitment;
   /** Where the participant of a finished session is sent to; from a server. */
@@ -25,13 +28,37 @@ export interface Experiment {
   kept?: string[];
   /** Browser session that gave them, and alone may give more; empty before the first. */
   browser?: string;
-  /** The participant has refused. */
-  refused?: boolean;
+  /** How the session ended early. */
+  ended?: SessionEnd;
   /** Whoever agrees is given a session: there is none yet. */
   joining?: boolean;
 }
 
-export type SessionEnd = "completed" | "screened_out" | "refused" | "failed_attention";
+export interface ExperimentTexts {
+  consent: string[];
+  instructions: string[];
+  /** After the last answer and after withdrawal. */
+  debriefing?: string[];
+  ending: string[];
+}
+
+export interface ConsentText {
+  version: string;
+  sha256: string;
+}
+
+export type SessionEnd = "completed" | "screened_out" | "refused" | "withdrawn" | "failed_attention";
+
+/** Choices, or numbers from … to. */
+export type AnswerRange = string[] | { from?: number; to?: number };
+
+/** What decides whether a participant may take part; a server does not send what it accepts. */
+export interface Screening {
+  questions?: (Demographic & { accept?: AnswerRange })[];
+  /** Smallest width and height of the viewport, CSS pixels. */
+  window?: [number, number];
+  refresh_hz?: number;
+}
 
 /** Where a participant is sent to: an address with parameters of the link in braces, and a code. */
 export interface Destination {
@@ -126,12 +153,12 @@ export interface Planned<Own extends { participant: string } = Session> {
   sessions: Own[];
   kept?: string[];
   browser?: string;
-  refused?: boolean;
+  ended?: SessionEnd;
   joining?: boolean;
   destination?: Destination;
 }
 
-/** What is kept of a page: of the consent, the demographics, a trial or the ending. */
+/** What is kept of a page: of the consent, the screening, the demographics, a trial or the ending. */
 export interface PageRecord {
   record: string;
   session: string;
@@ -146,10 +173,13 @@ export interface PageRecord {
   stall_ms?: number;
   dropped_frames?: number | null;
   blurs?: number;
+  blur_ms?: number;
   viewport_width?: number;
   viewport_height?: number;
   refresh_hz?: number | null;
   media_sha256?: string[];
+  /** Of consent: the text that was shown. */
+  consent?: ConsentText;
   /** Of consent: parameters of the participant's link. */
   url_parameters?: Record<string, string>;
   /** Of consent, on JATOS: the ids by which it knows the participant. */
@@ -170,6 +200,7 @@ export function checked(experiment: unknown): Experiment {
 export function recordsOf(experiment: Experiment, session: Session): string[] {
   return [
     "consent",
+    ...(experiment.screening ? ["screening"] : []),
     ...(experiment.demographics.length ? ["demographics"] : []),
     ...session.trials.map((trial) => `trial-${trial.number}`),
     "ending",

@@ -19,6 +19,9 @@ interface Jatos {
   /** Leads to the study's own End Redirect URL, where it has one. */
   endStudy(): Promise<unknown>;
   endStudyAndRedirect?(address: string): Promise<unknown>;
+  /** Deletes all result data of this run. */
+  abortStudyWithoutRedirect?(message: string): Promise<unknown>;
+  abortStudy(message: string): Promise<unknown>;
 }
 
 const jatosOfWindow = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
@@ -116,6 +119,11 @@ export async function jatosStore<Own extends { participant: string }>(
         for (const [name, text] of files)
           await send(() => jatos.uploadResultFile!(text, `${session.participant}-${name}`), () => {});
       }
+    },
+    async withdraw() {
+      if (jatos.abortStudyWithoutRedirect) await jatos.abortStudyWithoutRedirect("withdrawn");
+      else await jatos.abortStudy("withdrawn");
+      return undefined;
     },
     leave(address) {
       if (!address) void jatos.endStudy();

@@ -6,73 +6,121 @@ import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
 import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters,
-  rememberParameters, returnElements, type Parameters } from "./recruitment";
+  rememberParameters, type Parameters } from "./recruitment";
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
-import { experimentOf, expectOwn, mayBegin, showEnding } from "./session_page";
+import { RunPage } from "./run_page";
+import { runScreening, screeningFault } from "./screening";
+import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding } from "./session_page";
 import type { Store } from "./store";
-import { linkParameters, modeOfPage, root, show, showClosed, storeOf, type Mode } from "./surroundings";
+import { linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
+import { endWithdrawalOffer } from "./withdrawal";
 
-/** The timeline: what is kept already is left out. */
-function timelineOf(
-  mode: Mode, experiment: Experiment, store: Store, texts: Texts, parameters: Parameters) {
+/** What the pages of a session share. */
+interface Session {
+  mode: Mode;
+  experiment: Experiment;
+  store: Store;
+  texts: Texts;
+  parameters: Parameters;
+  /** Returns once the record is kept; where nothing more is accepted, it says why and does not return. */
+  keep(record: PageRecord, page: HTMLElement): Promise<void>;
+}
+
+const forever = () => new Promise<never>(() => {});
+
+function sessionOf(
+  mode: Mode, experiment: Experiment, store: Store, texts: Texts, parameters: Parameters): Session {
+  return { mode, experiment, store, texts, parameters,
+    async keep(record, page) {
+      try {
+        await store.keep(record, waitNote(page, texts));
+      } catch (error) {
+        showClosed(error, texts);
+        await forever();
+      }
+    } };
+}
+
+/** A page of texts and questions; with a name, what is given there is kept. */
+const textPage = ({ store, texts, keep }: Session, name: string, more: object) => ({
+  type: TextPage, words: texts, buttons: [texts.next],
+  keep: name
+    ? (given: GivenOnPage, page: HTMLElement) => keep(pageRecord(name, store.name, given), page)
+    : null,
+  ...more,
+});
+
+/** Keeps the answer to the consent; for whoever refuses, the session ends here. */
+async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement): Promise<void> {
+  const { mode, experiment, store, texts, parameters } = own;
+  const agreed = given.pressed === 0;
+  const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
+  const record = pageRecord("consent", store.name, { ...given, responses });
+  if (experiment.consent) record.consent = experiment.consent;
+  if (agreed && mode === "jatos") record.jatos = jatosIds();
+  if (agreed && experiment.recruitment) {
+    rememberParameters(experiment, store.name, parameters);
+    record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
+  }
+  if (agreed || mode !== "static") await own.keep(record, page);
+  if (agreed) return mayWithdraw(experiment, store, texts, parameters);
+  if (mode === "static") store.clear?.();
+  const destination = destinationOf(experiment.recruitment, "refused");
+  showEarlyEnd(texts, [destination || store.leave ? texts.refusedHere : texts.refused],
+    { parameters, destination }, store.leave);
+  await forever();
+}
+
+/** Keeps the screening; for whoever is turned away, the session ends here. */
+async function keepScreening(own: Session, record: PageRecord, page: HTMLElement): Promise<void> {
+  const { mode, experiment, store } = own;
+  await own.keep(record, page);
+  const isOut = mode === "served" ? store.ended?.() === "screened_out"
+    : screeningFault(experiment.screening, record) !== "";
+  if (isOut) await turnAway(own);
+}
+
+/** The session of a participant who was screened out. */
+async function turnAway({ mode, experiment, store, texts, parameters }: Session): Promise<never> {
+  await store.finish();
+  if (mode === "static") store.clear?.();
+  const destination = store.destination?.() ?? destinationOf(experiment.recruitment, "screened_out");
+  showEarlyEnd(texts, [texts.screenedOut], { parameters, destination }, store.leave);
+  return forever();
+}
+
+/** The timeline; what is kept already is left out. */
+function timelineOf(own: Session) {
+  const { experiment, store, texts, keep } = own;
   const { session } = store;
   const stock: Stock = new Map();
-  const keep = async (record: PageRecord, page: HTMLElement) => {
-    try {
-      await store.keep(record, waitNote(page, texts));
-    } catch (error) {
-      showClosed(error, texts);
-      await new Promise(() => {});  // nothing follows
-    }
-  };
   const kept = (name: string) => store.kept.has(name);
   const around: TrialSurroundings = { experiment, session, texts, stock, name: store.name,
     refresh_hz: null, keep };
-  const textPage = (name: string, more: object) => ({
-    type: TextPage, words: texts, buttons: [texts.next],
-    keep: name ? async (given: GivenOnPage, page: HTMLElement) => {
-      await keep(pageRecord(name, store.name, given), page);
-    } : null,
-    ...more,
-  });
   const timeline: object[] = [];
   const { consent, instructions } = experiment.texts;
 
-  if (!kept("consent")) {
-    timeline.push({
-      ...textPage("consent", { title: experiment.title || texts.welcome, texts: consent,
-        buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
-        keep: async (given: GivenOnPage, page: HTMLElement) => {
-          const agreed = given.pressed === 0;
-          const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
-          const record = pageRecord("consent", store.name, { ...given, responses });
-          if (agreed && mode === "jatos") record.jatos = jatosIds();
-          if (agreed && experiment.recruitment) {
-            rememberParameters(experiment, store.name, parameters);
-            record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
-          }
-          if (agreed || mode !== "static") await keep(record, page);
-          if (agreed) return;
-          if (mode === "static") store.clear?.();
-          const back = returnElements(texts, destinationOf(experiment.recruitment, "refused"), parameters, false, store.leave);
-          show(texts.thanks, [back.length ? texts.refusedHere : texts.refused], ...back);
-          await new Promise(() => {});  // nothing follows
-        } }),
-    });
-  }
+  if (!kept("consent"))
+    timeline.push(textPage(own, "", { title: experiment.title || texts.welcome, texts: consent,
+      buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
+      keep: (given: GivenOnPage, page: HTMLElement) => keepConsent(own, given, page) }));
   if (experiment.joining) return timeline;
+  const { screening } = experiment;
+  if (screening && !kept("screening"))
+    timeline.push({ type: RunPage, run: (display: HTMLElement) =>
+      runScreening(display, screening, store.name, texts, (record, page) => keepScreening(own, record, page)) });
   const keys = [...(isTouched() ? [] : [texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
   const isResumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));
-  timeline.push(textPage("", { title: texts.instructions,
+  timeline.push(textPage(own, "", { title: texts.instructions,
     texts: [...(isResumed ? [texts.resumed] : []), ...instructions, ...keys] }));
   if (experiment.demographics.length && !kept("demographics"))
-    timeline.push(textPage("demographics", { title: texts.aboutYou, questions: experiment.demographics }));
+    timeline.push(textPage(own, "demographics", { title: texts.aboutYou, questions: experiment.demographics }));
   timeline.push({ type: LoadPage, words: texts, load: async (told: (done: number, all: number) => void) => {
     if (experiment.settings.view === "turn") await loadTurnView();
     const measured = refreshRate();
@@ -83,13 +131,13 @@ function timelineOf(
   trials.forEach((trial, index) => {
     const before = index > 0 ? trials[index - 1] : undefined;
     if (trial.practice && !before?.practice)
-      timeline.push(textPage("", { title: texts.practice, texts: [texts.practiceBegins] }));
+      timeline.push(textPage(own, "", { title: texts.practice, texts: [texts.practiceBegins] }));
     if (!trial.practice && before?.practice)
-      timeline.push(textPage("", { title: experiment.title, texts: [texts.mainBegins] }));
+      timeline.push(textPage(own, "", { title: experiment.title, texts: [texts.mainBegins] }));
     timeline.push({ type: TrialPage, asked: trial, shownIn: around });
   });
   if (!kept("ending"))
-    timeline.push(textPage("ending", { title: texts.almost, comment: texts.lastWords,
+    timeline.push(textPage(own, "ending", { title: texts.almost, comment: texts.lastWords,
       buttons: [texts.finish] }));
   return timeline;
 }
@@ -112,14 +160,22 @@ async function main(): Promise<void> {
     files: (session, records) => ({ "participants.csv": participantsCsv(experiment, session, records) }),
   });
   const parameters = rememberedParameters(experiment, store.name, given);
+  const own = sessionOf(mode, experiment, store, texts, parameters);
+  const isTurnedAway = experiment.ended === "screened_out" ||
+    (mode !== "served" && screeningFault(experiment.screening, store.records.screening) !== "");
+  if (isTurnedAway) await turnAway(own);
+  const isOwn = !experiment.browser || experiment.browser === store.name;
+  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, parameters);
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
     const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
-    const running = jsPsych.run(timelineOf(mode, experiment, store, texts, parameters) as never);
+    const running = jsPsych.run(timelineOf(own) as never);
     root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
     await running;
     await store.finish();
   }
+  if (mode === "static") endWithdrawalOffer();  // the files are the participant's or the experimenter's now
+  await debrief(experiment, texts);
   showEnding(mode, experiment, store, texts, () => saveFiles(experiment, store),
     { parameters, destination: destinationAtEnd(mode, experiment, store) });
 }

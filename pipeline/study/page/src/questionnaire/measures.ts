@@ -14,22 +14,36 @@ export async function refreshRate(): Promise<number | null> {
   return middle > 0 ? Math.round(10000 / middle) / 10 : null;
 }
 
-/** Counts how often the window is left until it is told to stop. */
-export function countBlurs(): () => number {
-  let blurs = 0;
-  let last = -1000;
+/** How often, and for how long, the window was left. */
+export interface Blurs {
+  blurs: number;
+  blur_ms: number;
+}
+
+/** Counts until it is asked. */
+export function countBlurs(): () => Blurs {
+  let blurs = 0, away = 0;
+  let since: number | null = null;
+  // A window that is left and hidden says so twice.
   const left = () => {
-    // A window that is left and hidden says so twice.
-    if (performance.now() - last > 200) blurs += 1;
-    last = performance.now();
+    if (since !== null) return;
+    blurs += 1;
+    since = performance.now();
   };
-  const hidden = () => { if (document.hidden) left(); };
+  const back = () => {
+    if (since === null || document.hidden) return;
+    away += performance.now() - since;
+    since = null;
+  };
+  const changed = () => (document.hidden ? left() : back());
   addEventListener("blur", left);
-  document.addEventListener("visibilitychange", hidden);
+  addEventListener("focus", back);
+  document.addEventListener("visibilitychange", changed);
   return () => {
     removeEventListener("blur", left);
-    document.removeEventListener("visibilitychange", hidden);
-    return blurs;
+    removeEventListener("focus", back);
+    document.removeEventListener("visibilitychange", changed);
+    return { blurs, blur_ms: Math.round(away + (since === null ? 0 : performance.now() - since)) };
   };
 }
 

@@ -1,4 +1,5 @@
 import { answerColumns, participantColumns } from "./columns";
+import { screeningFault } from "./screening";
 import type { Experiment, PageRecord, Session, Trial } from "./experiment";
 import { kindOf } from "./trials/trial_kinds";
 
@@ -50,6 +51,7 @@ function rowsOf(
       stall_ms: numberText(record.stall_ms),
       dropped_frames: numberText(record.dropped_frames),
       blurs: numberText(record.blurs),
+      blur_ms: numberText(record.blur_ms),
       viewport_width: numberText(record.viewport_width),
       viewport_height: numberText(record.viewport_height),
       refresh_hz: numberText(record.refresh_hz),
@@ -102,20 +104,31 @@ function parameterFields(
   ]);
 }
 
+/** How the session ended; empty while it lasts. */
+function endOf(experiment: Pick<Experiment, "screening">, records: Record<string, PageRecord>): string {
+  if (records.ending) return "completed";
+  return screeningFault(experiment.screening, records.screening) ? "screened_out" : "";
+}
+
 /** Who took part, as CSV of one row. */
 export function participantsCsv(
-  experiment: Pick<Experiment, "demographics" | "design" | "recruitment">, session: { participant: string }, records: Record<string, PageRecord>,
+  experiment: Pick<Experiment, "screening" | "demographics" | "design" | "consent" | "recruitment">,
+  session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
-  const questions = experiment.demographics.map(({ id }) => id);
+  const questions = [...(experiment.screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id);
   const row: Record<(typeof participantColumns)[number], string> & Record<string, string> = {
     participant: session.participant,
     session: records.consent?.session ?? "",
     design: experiment.design,
     consented_at: records.consent?.started_at ?? "",
     finished: truth(!!records.ending),
+    ended: endOf(experiment, records),
+    screening_fault: screeningFault(experiment.screening, records.screening),
+    consent_version: experiment.consent?.version ?? "",
+    consent_sha256: experiment.consent?.sha256 ?? "",
   };
-  for (const { item, value_raw: valueRaw } of records.demographics?.responses ?? [])
-    row[item] = String(valueRaw);
+  for (const name of ["screening", "demographics"])
+    for (const { item, value_raw: valueRaw } of records[name]?.responses ?? []) row[item] = String(valueRaw);
   const own = parameterFields(experiment, records);
   return csv([...participantColumns, ...questions, ...Object.keys(own)], [{ ...row, ...own }]);
 }

@@ -1,24 +1,28 @@
 // What the pages of all experiments begin and end with.
 
 import { button, element } from "./elements";
-import type { Destination, Recruitment } from "./experiment";
+import type { Destination, Recruitment, SessionEnd } from "./experiment";
 import type { SavedFile } from "./files";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
+import { showTextPage } from "./text_view";
 import { SessionClosed, type Store } from "./store";
 import { destinationOf, returnElements, type Parameters } from "./recruitment";
-import { base, show, type Mode } from "./surroundings";
+import { base, root, show, type Mode } from "./surroundings";
 import type { Texts } from "./texts";
+import { endWithdrawalOffer, offerWithdrawal } from "./withdrawal";
+
+type WithdrawnFrom = Pick<Store, "withdraw">;
 
 /** Of any experiment. */
 export interface Frame {
   title: string;
   language: string;
-  texts: { ending: string[] };
+  texts: { debriefing?: string[]; ending: string[] };
   settings: { phones: "refused" | "served" };
   recruitment?: Recruitment;
   browser?: string;
-  refused?: boolean;
+  ended?: SessionEnd;
 }
 
 /** The parameters of the participant's link, and the destination at the end of the session. */
@@ -49,21 +53,46 @@ export function mayBegin(experiment: Frame, texts: Texts, parameters: Parameters
   return !isRefused;
 }
 
-/** Throws where the participant has refused, or another browser has the session. */
+/** Throws where another browser has the session, or the participant has refused or withdrawn. */
 export function expectOwn(experiment: Frame, store: { name: string }): void {
-  if (experiment.refused) throw new SessionClosed("refused");
+  if (experiment.ended && experiment.ended !== "screened_out") throw new SessionClosed(experiment.ended);
   if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
+}
+
+/** What follows when the session ended early: thanks, a reason, and the way back. */
+export function showEarlyEnd(
+  texts: Texts, said: string[], { parameters, destination }: Referral, leave?: Store["leave"]): void {
+  endWithdrawalOffer();
+  show(texts.thanks, said, ...returnElements(texts, destination, parameters, false, leave));
+}
+
+/** From now on, the participant may withdraw. */
+export function mayWithdraw(experiment: Frame, store: WithdrawnFrom, texts: Texts, parameters: Parameters): void {
+  if (!store.withdraw) return;
+  offerWithdrawal(texts, () => store.withdraw!(), (told) => {
+    const { recruitment } = experiment;
+    const destination = told ?? (recruitment && destinationOf(recruitment, "withdrawn"));
+    showEarlyEnd(texts, [texts.withdrawn, ...(experiment.texts.debriefing ?? [])], { parameters, destination });
+  });
+}
+
+/** The debriefing, if the study has one. */
+export async function debrief(experiment: Frame, texts: Texts): Promise<void> {
+  const { debriefing } = experiment.texts;
+  if (debriefing?.length)
+    await showTextPage(root(), { title: texts.debriefing, texts: debriefing, buttons: [texts.next], words: texts });
 }
 
 /** Thanks; where no server keeps the answers, with their files, which `save` gives, and the way to the next
     participant. */
 export function showEnding(
-  mode: Mode, experiment: Frame, store: Pick<Store, "clear" | "leave">, texts: Texts, save: () => SavedFile[],
+  mode: Mode, experiment: Frame, store: Pick<Store, "name" | "clear" | "leave">, texts: Texts, save: () => SavedFile[],
   { parameters, destination }: Referral = { parameters: {} }): void {
   const back = returnElements(texts, destination, parameters, mode !== "static", store.leave);
+  const code = element("p", {}, texts.withdrawLater, " ", element("code", { class: "code" }, store.name));
   if (mode !== "static")
     return show(texts.thanks,
-      [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back);
+      [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back, code);
   const again = save().map((file) => button(texts.saveFile(file.name), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
@@ -71,5 +100,5 @@ export function showEnding(
     location.replace(location.pathname);
   });
   show(texts.thanks, [...experiment.texts.ending, texts.finishedFiles],
-    ...back, element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next));
+    ...back, element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next), code);
 }

@@ -1,4 +1,4 @@
-import type { Destination, PageRecord, Planned, Session } from "./experiment";
+import type { Destination, PageRecord, Planned, Session, SessionEnd } from "./experiment";
 
 type Named = { participant: string };
 
@@ -17,6 +17,10 @@ export interface Store<Own extends Named = Session> {
   finish(): Promise<void>;
   /** Where the participant is sent to, once a server has told it. */
   destination?(): Destination | undefined;
+  /** How a server ended the session early. */
+  ended?(): SessionEnd | undefined;
+  /** Deletes all that was stored of the session; where the participant is sent to then. */
+  withdraw?(): Promise<Destination | undefined>;
   /** Ends the session where another program around the page does that, and leads to the address. */
   leave?(address: string | undefined): void;
   /** Forgets the session, where the next participant may sit down at the same browser. */
@@ -28,7 +32,7 @@ export interface Store<Own extends Named = Session> {
 
 /** Why no further answers are accepted from this window. */
 export class SessionClosed extends Error {
-  constructor(readonly why: "elsewhere" | "refused" | "enough") { super(why); }
+  constructor(readonly why: "elsewhere" | "enough" | SessionEnd) { super(why); }
 }
 
 export const pause = (milliseconds: number): Promise<void> =>
@@ -134,6 +138,10 @@ export function folderStore<Own extends Named>(
     },
     async finish() {},
     clear: () => current.clear(),
+    async withdraw() {
+      current.clear();
+      return undefined;
+    },
     isSaved: () => kept.is_saved === true,
     noteSaved() {
       kept.is_saved = true;
@@ -149,26 +157,32 @@ const closing: Record<string, SessionClosed["why"]> = {
   elsewhere: "elsewhere",
   other: "elsewhere",  // another window of this browser was first
   refused: "refused",
+  screened_out: "screened_out",
+  withdrawn: "withdrawn",
   enough: "enough",
 };
 
 interface Answered {
   /** Of those who join: where their session is. */
   session?: string;
+  ended?: SessionEnd;
   destination?: Destination;
 }
+
+const posted = (address: string, value: unknown): Promise<Response> =>
+  fetch(address, {
+    method: "POST",
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(value),
+    cache: "no-store",
+  });
 
 /** Posts a record beside the page until the server says that it has it; its answer. */
 async function post(base: string, record: PageRecord, wait: Wait): Promise<Answered> {
   for (let tries = 0; ; tries += 1) {
     const slow = setTimeout(() => wait("saving"), 400);
     try {
-      const answer = await fetch(`${base}records/${record.record}`, {
-        method: "POST",
-        headers: { "Content-Type": "application/json" },
-        body: JSON.stringify(record),
-        cache: "no-store",
-      });
+      const answer = await posted(`${base}records/${record.record}`, record);
       const said = (await answer.json().catch(() => ({}))) as
         Answered & { error?: string; wrong?: string };
       if (answer.ok) return said;
@@ -197,7 +211,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     { participant: session.participant, name: randomName(), records: {} };
   drawer.write(own);
   const kept = new Set(experiment.kept ?? []);
-  let destination = experiment.destination;
+  let { destination, ended } = experiment;
   return {
     session,
     name: own.name,
@@ -207,7 +221,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
       own.records = { [record.record]: record };  // what a reload would send again
       drawer.write(own);
       try {
-        destination = (await post(base, record, wait)).destination;
+        ({ destination, ended } = await post(base, record, wait));
       } finally {
         own.records = {};
         drawer.write(own);
@@ -216,6 +230,13 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     },
     async finish() {},
     destination: () => destination,
+    ended: () => ended,
+    async withdraw() {
+      const answer = await posted(`${base}withdrawal`, { session: own.name });
+      if (!answer.ok) throw new Error(`The server refused the withdrawal (${answer.status}).`);
+      drawer.clear();
+      return ((await answer.json()) as Answered).destination;
+    },
   };
 }
 

@@ -49,6 +49,7 @@ export function showClosed(error: unknown, texts: Texts): void {
   } else if (error.why === "elsewhere") {
     show(texts.elsewhere, [texts.goOnThere]);
   } else {
-    show(texts.thanks, [error.why === "refused" ? texts.refused : texts.enough]);
+    const said = { refused: texts.refused, screened_out: texts.screenedOut, withdrawn: texts.withdrawn };
+    show(texts.thanks, [said[error.why as keyof typeof said] ?? texts.enough]);
   }
 }

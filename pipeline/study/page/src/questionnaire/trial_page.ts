@@ -204,7 +204,7 @@ class TrialAtWork {
       comment: this.comment.value.trim(),
       ...seen,
       trial_ms: Math.round(performance.now() - this.began),
-      blurs: this.blurs(),
+      ...this.blurs(),
       viewport_width: innerWidth,
       viewport_height: innerHeight,
       refresh_hz: around.refresh_hz,

@@ -12,12 +12,14 @@ export async function openBrowser() {
 const openAnswers = (page) =>
   page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 
-/** Checks are answered as they say. */
-const placeOf = (wanted, turn, all) =>
-  /leftmost/.test(wanted) ? 0 : /rightmost/.test(wanted) ? all - 1 : turn % all;
+/** Checks are answered as they say, or not, by somebody careless. */
+const placeOf = (wanted, turn, all, careless = false) => {
+  const [first, last] = careless ? [all - 1, 0] : [0, all - 1];
+  return /leftmost/.test(wanted) ? first : /rightmost/.test(wanted) ? last : turn % all;
+};
 
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
-async function answerByMouse(page, number) {
+async function answerByMouse(page, number, careless) {
   if (await page.locator(".stage").count()) {
     await page.locator(".play").click();
     await openAnswers(page);
@@ -26,7 +28,7 @@ async function answerByMouse(page, number) {
   const asked = page.locator("fieldset.asked");
   for (let i = 0; i < (await asked.count()); i += 1) {
     const inputs = asked.nth(i).locator("input");
-    const place = placeOf(wanted, i + number, await inputs.count());
+    const place = placeOf(wanted, i + number, await inputs.count(), careless);
     await inputs.nth(place).click({ force: true });
   }
   for (const slider of await page.locator('.asked input[type="range"]').all()) {
@@ -72,15 +74,15 @@ async function answerByKeys(page, number) {
   await page.keyboard.press("Enter");
 }
 
-async function passText(page, byKeys) {
-  const number = page.locator("#about-age");
+async function passText(page, byKeys, age) {
+  const number = page.locator('.question input[inputmode="decimal"]');
   if (await number.count()) {
     if (byKeys) {
       await page.keyboard.type("31");
       await page.keyboard.press("Tab");
       await page.keyboard.press("Space");
     } else {
-      await number.fill("27");
+      await number.fill(age);
       const choice = page.locator(".question .line input").first();
       if (await choice.count()) await choice.check();
     }
@@ -93,9 +95,10 @@ async function passText(page, byKeys) {
 
 /**
  * Takes the questionnaire that is open to its end. `each(sight, number)` is told of every page
- * before it is answered; it may reload, and then returns true.
+ * before it is answered; it may reload, and then returns true. Whoever is careless fails the attention checks.
  */
-export async function take(page, { by_keys: byKeys = false, each = async () => false } = {}) {
+export async function take(
+  page, { by_keys: byKeys = false, careless = false, age = "27", each = async () => false } = {}) {
   for (let pages = 0; pages < 500; pages += 1) {
     await page.waitForSelector(".page, .trial", { timeout: 30000 });
     const seen = await sight(page, "trial");
@@ -104,8 +107,8 @@ export async function take(page, { by_keys: byKeys = false, each = async () => f
     if (await each(seen, number)) continue;
     if (seen === "end") return;
     const before = await mark(page, "trial");
-    if (seen === "text") await passText(page, byKeys);
-    if (seen === "trial") await (byKeys ? answerByKeys : answerByMouse)(page, number);
+    if (seen === "text") await passText(page, byKeys, age);
+    if (seen === "trial") await (byKeys ? answerByKeys : answerByMouse)(page, number, careless);
     await isPast(page, "trial", before);
   }
   throw new Error("the questionnaire has no end");

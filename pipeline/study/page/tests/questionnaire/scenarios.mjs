@@ -330,7 +330,8 @@ async function laboratory() {
 
 /**
  * Participants whom Prolific sends to a real mien study serve; FOLDER is a file: {"join": …}. One goes to the
- * end with a reload on the way, one does not agree, one has a phone. Prolific itself answers here.
+ * end with a reload on the way; others do not agree, have a phone, a small window or the wrong age, withdraw, or
+ * are careless. Prolific itself answers here.
  */
 async function prolific() {
   const { join: all } = JSON.parse(readFileSync(folder, "utf8"));
@@ -361,9 +362,9 @@ async function prolific() {
     return true;
   } });
   const own = new URL(page.url());
-  await page.reload();  // at the end: the way back is still there
-  await page.waitForSelector(".leave");
-  await page.locator(".quiet").click();  // and is not taken by itself
+  await page.reload();  // at the end: debriefed once more, and the way back is still there
+  await take(page);
+  await page.locator(".page .quiet").click();  // and is not taken by itself
   const completed = await backOf(page);
   const refusing = await come("5f02");
   await refusing.locator(".page .button").nth(1).click();
@@ -372,11 +373,52 @@ async function prolific() {
   const onPhone = await come("5f03", phone);
   await onPhone.waitForSelector(".leave");
   const screenedOut = await backOf(onPhone);
+  const young = await come("5f05");
+  await take(young, { age: "12" });
+  await young.reload();  // still turned away
+  await young.waitForSelector(".leave");
+  const tooYoung = await backOf(young);
+
+  const small = await come("5f06", { viewport: { width: 900, height: 500 } });
+  await small.locator(".page .buttons .main").click();
+  await small.waitForFunction(() => /900 × 500/.test(document.querySelector(".page")?.innerText ?? ""));
+  const asked = await text(small);
+  await small.setViewportSize({ width: 1000, height: 600 });
+  await small.waitForSelector(".question");
+  await small.setViewportSize({ width: 900, height: 500 });
+  await small.reload();
+  await small.locator(".page .button").click();  // "I cannot make it larger"
+  await small.waitForSelector(".leave");
+  const tooSmall = { asked, ...(await backOf(small)) };
+
+  const leaving = await come("5f07");
+  const offer = leaving.locator(".withdrawal > .button");
+  const offered = await offer.count();
+  await take(leaving, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2) return false;
+    await offer.click();
+    await leaving.locator("dialog .main").click();  // goes on after all
+    await offer.click();
+    await leaving.keyboard.press("1");  // answers nothing behind the dialog
+    await leaving.locator("dialog .button").nth(1).click();
+    await leaving.waitForSelector(".leave");
+    return true;
+  } });
+  const left = leaving.url();
+  const withdrawn = { offered, still_offered: await offer.count(), ...(await backOf(leaving)) };
+  await leaving.goto(left);
+  withdrawn.again = await text(leaving);
+
+  const careless = await come("5f08");
+  await take(careless, { careless: true });
+  await careless.locator(".page .quiet").click();
+  const failedAttention = await backOf(careless);
   const soon = await come("5f04");
   await take(soon);
   await soon.waitForURL("https://app.prolific.com/**", { timeout: 20000 });  // by itself
-  return { completed, refused, screened_out: screenedOut, session, search: own.search,
-    path: own.pathname, soon: soon.url(), troubles: troubles.flat() };
+  return { completed, refused, screened_out: screenedOut, too_young: tooYoung, too_small: tooSmall, withdrawn,
+    failed_attention: failedAttention, session, search: own.search, path: own.pathname, soon: soon.url(),
+    troubles: troubles.flat() };
 }
 
 /** What keys do on the page of consent and among answers; what a phone is told of them. */

@@ -68,7 +68,8 @@ TEST_F(Service, TakesNothingOfThoseWhoRefuse) {
   EXPECT_EQ(error_in(give(0, "demographics")), "refused");
   EXPECT_EQ(status().at("participants").at(0).at("state"), "refused");
   EXPECT_EQ(participants_csv(study_, service_.sessions()),
-            "participant,session,design,consented_at,finished,age,hand\n");
+            "participant,session,design,consented_at,finished,ended,screening_fault,"
+            "consent_version,consent_sha256,age,hand\n");
 }
 
 TEST_F(Service, RefusesWhatIsNoRecordOfThatPage) {

@@ -1,0 +1,119 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/manifest/ratings/answers/session_end.h"
+#include "pipeline/study/questionnaire/service/withdrawal.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct WithdrawOptions {
+  std::string participant;  ///< the id or code
+  std::vector<std::string> files;
+};
+
+/// A session store with the participant's session in it.
+struct StoreWithSession {
+  std::unique_ptr<SessionStore> store;
+  int session = 0;
+};
+
+/// Opens the session stores among the files that hold the participant, and notes the browser
+/// session in `who`.
+std::vector<StoreWithSession> stores_with(const std::vector<fs::path>& files,
+                                          WithdrawnParticipant& who) {
+  std::vector<StoreWithSession> stores;
+  for (const fs::path& file : files) {
+    if (file.extension() != ".db") continue;
+    auto store = std::make_unique<SessionStore>(file);
+    const std::optional<int> session = session_of(*store, who.name);
+    if (!session) continue;
+    const std::string browser = browser_of(*store, *session);
+    if (!who.session.empty() && who.session != browser)
+      throw Error({file.string()},
+                  fmt::format("another person than in the file before is {} here",
+                              motion::in_quotes(who.name)),
+                  "give the code that the participant's last page showed");
+    who.session = browser;
+    stores.push_back({std::move(store), *session});
+  }
+  return stores;
+}
+
+std::vector<FileWithout> files_with(const std::vector<fs::path>& files,
+                                    const WithdrawnParticipant& who) {
+  std::vector<FileWithout> changed;
+  for (const fs::path& file : files) {
+    if (file.extension() == ".db") continue;
+    std::optional<FileWithout> without = without_participant(file, who);
+    if (without && without->removed > 0) changed.push_back(*std::move(without));
+  }
+  return changed;
+}
+
+/// Everything is read before anything is changed.
+int withdraw(const WithdrawOptions& options, const Console& console) {
+  const std::vector<fs::path> files =
+      files_of_participants({options.files.begin(), options.files.end()});
+  WithdrawnParticipant who{.name = options.participant, .session = {}};
+  const std::vector<StoreWithSession> stores = stores_with(files, who);
+  const std::vector<FileWithout> changed = files_with(files, who);
+  if (stores.empty() && changed.empty())
+    throw Error({}, motion::in_quotes(options.participant) + " is in none of these files",
+                "give the participant's id, or the code that the last page showed");
+  for (const FileWithout& one : changed) {
+    if (one.is_removed) {
+      fs::remove(one.file);
+      console.out << fmt::format("{}: deleted\n", one.file.string());
+    } else {
+      write_file(one.file, one.text);
+      console.out << fmt::format("{}: {} {} deleted\n", one.file.string(), one.removed,
+                                 one.file.extension() == ".csv" ? "rows" : "session");
+    }
+  }
+  for (const StoreWithSession& one : stores) {
+    const int erased = one.store->erase_records(
+        one.session, std::string(word_of(session_end_words, SessionEnd::withdrawn)));
+    console.out << fmt::format("{}: {} records deleted; the session is counted as withdrawn\n",
+                               one.store->file().string(), erased);
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+Command study_withdraw_command() {
+  const auto options = std::make_shared<WithdrawOptions>();
+  return {.name = "withdraw",
+          .summary = "Delete the answers of a participant who withdraws",
+          .options = {argument("participant", &options->participant,
+                               "Id of the participant (p004), or the code that the last page of "
+                               "the questionnaire showed"),
+                      argument("files", &options->files,
+                               "Files of answers (.db), tables (.csv) and records (.json), or "
+                               "folders that contain them")},
+          .notes =
+              "Deletes the participant from the file of answers of a served study, from exported "
+              "tables and records,\n"
+              "and from tables that mien wrote from them. The file of answers keeps count of "
+              "withdrawals. Stop a server\n"
+              "that uses the file first. Reports must be made again. Copies elsewhere are not "
+              "found.\n\n"
+              "Examples:\n"
+              "  mien study withdraw p004 out/emotion-study-answers.db exported/\n"
+              "  mien study withdraw 3f2a90c1d4e5b687 lab.db answers.csv participants.csv",
+          .run = [options](const Console& console) { return withdraw(*options, console); }};
+}
+
+}  // namespace mien::pipeline
