@@ -57,11 +57,11 @@ constexpr char with_folder_of_licence[] =
 constexpr char with_clip[] =
     R"({"stimuli": [{"id": "a", "clip": {"file": "one/normal.bvh"}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph_of_file[] =
-    R"({"stimuli": [{"id": "a", "path": {"graph": [{"file": "one/normal.bvh"}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{"file": "one/normal.bvh"}], "script": [{"walk": 1}], "threshold_m": 0.5}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_points[] =
     R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph[] =
-    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}], "threshold_m": 0.5}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_markers[] =
     R"({"stimuli": [{"id": "a", "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
@@ -228,7 +228,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
     {"stimuli[].path.graph[].fps", with_graph, R"({"file": "unrated/normal.bvh"})"},
     {"stimuli[].path.graph[].file", with_graph, "{}"},
-    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
+    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}], "threshold_m": 0.5})"},
     {"stimuli[].path.threshold_m", "{}",
      R"({"graph": ["one/normal.bvh", "one/sad.bvh"], "script": [{"walk": 1}]})"},
     {"stimuli[].path.moods[].at", with_points, R"({"mood": {"sad": 1}})"},
@@ -358,6 +358,7 @@ const Values chosen_values[] = {
     {"matching.demographics[].id", R"(["age", "sex"])"},
     {"matching.demographics[].ask", R"(["Who?", "Which?"])"},
     {"matching.demographics[].answer", R"(["number", ["f", "m"]])"},
+    {"stimuli[].path.threshold_m", "[0.5, 0.8]"},
     {"regression", R"([{"position_mm": 1}, {"position_mm": 2}])"},
     {"regression.parts_mm", R"([{"left hand": 5}, {"left hand": 6}])"},
     {"questionnaire",

@@ -89,7 +89,7 @@ export function showEnding(
   mode: Mode, experiment: Frame, store: Pick<Store, "name" | "clear" | "leave">, texts: Texts, save: () => SavedFile[],
   { parameters, destination }: Referral = { parameters: {} }): void {
   const back = returnElements(texts, destination, parameters, mode !== "static", store.leave);
-  const code = element("p", {}, texts.withdrawLater, " ", element("code", { class: "code" }, store.name));
+  const code = element("p", { class: "later" }, texts.withdrawLater, " ", element("code", {}, store.name));
   if (mode !== "static")
     return show(texts.thanks,
       [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back, code);
