@@ -19,6 +19,7 @@ enum class PoleSide { random, fixed };
 enum class Watching { full, free };
 enum class ShownAs { video, turn };
 enum class Phones { served, refused };
+enum class PairPresentation { together, in_turn };
 enum class TestCorrection { holm, benjamini_hochberg, none };
 enum class FlaggedAnswers { excluded, kept };
 
@@ -32,6 +33,8 @@ inline constexpr Words<Watching> watching_words = {{"full", Watching::full},
                                                    {"free", Watching::free}};
 inline constexpr Words<ShownAs> shown_as_words = {{"video", ShownAs::video},
                                                   {"turn", ShownAs::turn}};
+inline constexpr Words<PairPresentation> pair_presentation_words = {
+    {"together", PairPresentation::together}, {"in_turn", PairPresentation::in_turn}};
 inline constexpr Words<Phones> phones_words = {{"served", Phones::served},
                                                {"refused", Phones::refused}};
 inline constexpr Words<TestCorrection> correction_words = {
@@ -61,6 +64,31 @@ void fields_of(auto&& field, MaybeConst<AnswerSettings> auto& answer) {
   field("anchors", answer.anchors, concerns::nothing);
   field("default", answer.starts_at, concerns::nothing, starts_at_words);
   field("side", answer.side, concerns::nothing, pole_side_words);
+}
+
+/// How pairs are shown and answered.
+struct PreferenceSettings {
+  bool ties = false;                                    ///< "no difference" may be answered
+  bool strength = false;                                ///< a preference is slight or strong
+  PairPresentation shown = PairPresentation::together;  ///< side by side, or one after the other
+  friend bool operator==(const PreferenceSettings&, const PreferenceSettings&) = default;
+};
+
+void fields_of(auto&& field, MaybeConst<PreferenceSettings> auto& preference) {
+  field("ties", preference.ties, concerns::nothing);
+  field("strength", preference.strength, concerns::nothing);
+  field("shown", preference.shown, concerns::nothing, pair_presentation_words);
+}
+
+/// The size of stimuli on the screen.
+struct DisplaySettings {
+  DisplaySize size;           ///< of the width of each video
+  double distance_cm = 60.0;  ///< between the eyes and the screen, as participants are told
+};
+
+void fields_of(auto&& field, MaybeConst<DisplaySettings> auto& display) {
+  field.by("size", display.size, concerns::nothing, DisplaySizeForm());
+  field("distance_cm", display.distance_cm, concerns::nothing);
 }
 
 /// A question about the participant.
@@ -156,6 +184,7 @@ struct Questionnaire {
   std::vector<std::pair<std::string, std::string>> choices;
   /// Stimuli of each pair, for forms with two stimuli; empty: all pairs.
   std::vector<std::vector<std::string>> pairs;
+  PreferenceSettings preference;  ///< only for forms with two stimuli
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
@@ -168,6 +197,7 @@ struct Questionnaire {
   bool comments = false;
   std::string reference;  ///< id of the stimulus shown next to the rated one; empty for none
   ShownAs view = ShownAs::video;
+  DisplaySettings display;
   Phones phones = Phones::refused;
   Screening screening;
   std::vector<Demographic> demographics;
@@ -192,6 +222,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field.by("scales", questionnaire.scales, concerns::nothing, ScaleChoiceForm());
   field.by("choices", questionnaire.choices, concerns::nothing, ChoicesForm());
   field("pairs", questionnaire.pairs, concerns::nothing);
+  field("preference", questionnaire.preference, concerns::nothing);
   field("answer", questionnaire.answer, concerns::nothing);
   field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());
   field("no_repeats", questionnaire.no_repeats, concerns::nothing);
@@ -207,6 +238,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("comments", questionnaire.comments, concerns::nothing);
   field("reference", questionnaire.reference, concerns::nothing);
   field("view", questionnaire.view, concerns::nothing, shown_as_words);
+  field("display", questionnaire.display, concerns::nothing);
   field("phones", questionnaire.phones, concerns::nothing, phones_words);
   field("screening", questionnaire.screening, concerns::nothing);
   field.each("demographics", questionnaire.demographics, concerns::nothing,

@@ -99,6 +99,31 @@ OrderedJson TrialOrderForm::write(const TrialOrder& order, const WritingOptions&
   return word_of(order_words, order.kind);
 }
 
+void DisplaySizeForm::read(const DocumentValue& given, DisplaySize& size) {
+  using Kind = DisplaySize::Kind;
+  size = {};
+  if (given.value == "native") size.kind = Kind::native;
+  for (const auto& [key, kind] : {std::pair("cm", Kind::cm), std::pair("degrees", Kind::degrees)}) {
+    const nlohmann::json* amount = member(given.value, key);
+    if (amount == nullptr) continue;
+    size.kind = kind;
+    assign(amount, size.amount);
+  }
+}
+
+OrderedJson DisplaySizeForm::write(const DisplaySize& size, const WritingOptions&) {
+  switch (size.kind) {
+    case DisplaySize::Kind::cm:
+      return {{"cm", size.amount}};
+    case DisplaySize::Kind::degrees:
+      return {{"degrees", size.amount}};
+    case DisplaySize::Kind::native:
+      return "native";
+    default:
+      return "window";
+  }
+}
+
 void ReplaysForm::read(const DocumentValue& given, Replays& replays) {
   replays.most.reset();
   if (given.value == "none") replays.most = 0;

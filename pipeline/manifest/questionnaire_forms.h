@@ -97,6 +97,24 @@ struct TrialOrderForm {
   static void walk(auto& names) { names.add("blocked"); }
 };
 
+/// The width of each video on the screen.
+struct DisplaySize {
+  enum class Kind { window, native, cm, degrees };
+
+  Kind kind = Kind::window;  ///< as large as the window allows
+  double amount = 0.0;       ///< for cm and degrees
+};
+
+/// `size: window`, `size: native`, `size: {cm: 15}`, or `size: {degrees: 12}`.
+struct DisplaySizeForm {
+  static void read(const DocumentValue& given, DisplaySize& size);
+  static nlohmann::ordered_json write(const DisplaySize& size, const WritingOptions& how);
+  static void walk(auto& names) {
+    names.add("cm");
+    names.add("degrees");
+  }
+};
+
 /// The number of times that a video may be replayed. Replays are always counted.
 struct Replays {
   std::optional<int> most;  ///< 0: none; unset: unlimited

@@ -1,7 +1,9 @@
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -324,6 +326,86 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
     EXPECT_EQ(row.at("url_SESSION_ID"), "5f01-s");
     EXPECT_FALSE(row.contains("url_other"));
   }
+}
+
+/// A trial without a stimulus has no size.
+TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
+  // Two films beside each other, 400 px wide each: neither fits the first window of 600 px.
+  constexpr double pi = 3.14159265358979, card_mm = 85.6, distance_cm = 50.0;
+  const double cm = 400.0 * card_mm / 400.0 / 10.0;
+  const double degrees = 2.0 * std::atan(cm / 2.0 / distance_cm) * 180.0 / pi;
+  std::string text = study_text;
+  text += "  display: {distance_cm: 50, size: {degrees: " + std::to_string(degrees) + "}}\n";
+  const fs::path manifest = scratch->write("sized.yaml", text);
+  const fs::path there = scratch->path() / "sized";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-sized").string(), "-o", there.string()}));
+  const json taken = played("calibrated", there);
+  EXPECT_EQ(taken.at("troubles"), json::array());
+  EXPECT_NEAR(taken.at("card").get<double>(), 400.0, 0.01);
+  EXPECT_NE(taken.at("sit").get<std::string>().find("about 50 cm"), std::string::npos);
+  EXPECT_NE(taken.at("asked").get<std::string>().find("at least 912"), std::string::npos)
+      << taken.at("asked");
+  EXPECT_EQ(taken.at("overflows"), false);
+  for (const json& width : taken.at("seen")) EXPECT_NEAR(width.get<double>(), 400.0, 0.1);
+  EXPECT_EQ(taken.at("seen").size(), 2u);
+  int sized = 0;
+  for (const auto& row : rows_in(taken.at("answers").get<std::string>())) {
+    if (row.at("kind") == "attention") {
+      EXPECT_EQ(row.at("shown_width"), "");
+      continue;
+    }
+    ++sized;
+    EXPECT_NEAR(std::stod(row.at("shown_width")), 400.0, 0.1);
+    EXPECT_NEAR(std::stod(row.at("shown_height")), 300.0, 0.1);
+    EXPECT_EQ(row.at("pixel_ratio"), "2");
+    EXPECT_NEAR(std::stod(row.at("shown_cm")), cm, 0.01);
+    EXPECT_NEAR(std::stod(row.at("shown_degrees")), degrees, 0.01);
+  }
+  EXPECT_GT(sized, 10);
+}
+
+TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {
+  std::string text = study_text;
+  text.replace(text.find("  stimuli: [sad, proud]"), 23, "  trials: pair");
+  text.replace(text.find("  reference: usual\n"), 19, "");
+  text.replace(text.find("  practice: [usual]\n  warm_up: 1\n"), 32,
+               "  preference: {ties: true, strength: true, shown: in_turn}\n");
+  const fs::path manifest = scratch->write("pairs.yaml", text);
+  const fs::path there = scratch->path() / "pairs";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-pairs").string(), "-o", there.string()}));
+  const json taken = played("pairs", there);
+  EXPECT_EQ(taken.at("troubles"), json::array());
+  // The one, nothing for half a second, the other, and answers afterwards.
+  std::vector<std::string> shown;
+  std::map<std::string, double> at;
+  for (const json& frame : taken.at("frames")) {
+    shown.push_back(frame.at("shown"));
+    at.emplace(shown.back(), frame.at("at"));
+  }
+  if (!shown.empty() && shown.front() == "00") {  // before the first has begun
+    shown.erase(shown.begin());
+    at["00"] = taken.at("frames").at(2).at("at");
+  }
+  EXPECT_EQ(shown, (std::vector<std::string>{"10", "00", "01"}));
+  EXPECT_GE(at.at("01") - at.at("00"), 450.0);
+  EXPECT_GE(at.at("00") - at.at("10"), 700.0) << "films of about a second";
+  std::set<std::string> raws;
+  for (const auto& row : rows_in(taken.at("answers").get<std::string>())) {
+    const std::string raw = row.at("value_raw");
+    if (row.at("kind") == "attention") {
+      EXPECT_TRUE(raw == "left_much" || raw == "right_much") << raw;
+      EXPECT_EQ(row.at("passed"), "1");
+      continue;
+    }
+    raws.insert(raw);
+    EXPECT_EQ(row.at("value"), raw == "tie"              ? "tie"
+                               : raw.starts_with("left") ? row.at("stimulus")
+                                                         : row.at("against"));
+  }
+  EXPECT_EQ(raws, (std::set<std::string>{"left_much", "left_slightly", "right_much",
+                                         "right_slightly", "tie"}));
 }
 
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {

@@ -41,6 +41,7 @@ class QuestionnaireCheck {
     check_numbers();
     check_question_ids();
     check_view();
+    check_display();
     return list_.take();
   }
 
@@ -139,6 +140,13 @@ class QuestionnaireCheck {
         list_.add_at_key(at(form->key), fmt::format("only {} trials have {}", name, form->key),
                          fmt::format("add trials: {}", name));
     }
+    if (form_.stimuli == 1 && list_.was_given(at("preference")))
+      list_.add_at_key(at("preference"), "only pair trials have preference", "add trials: pair");
+    const bool has_tie = std::ranges::find(ids_, tie_value) != ids_.end();
+    if (questionnaire_.preference.ties && has_tie)
+      list_.add(member_path(at("preference"), "ties"),
+                "a stimulus has the id \"tie\", which answers without a preference have",
+                "rename the stimulus");
     if (form_.offers_choices && questionnaire_.choices.empty() &&
         questionnaire_choices(manifest_).size() < 2) {
       list_.add(at("trials"), "there are fewer than two emotions to choose from",
@@ -229,6 +237,23 @@ class QuestionnaireCheck {
     if (!id.empty() && !taken.insert(id).second)
       list_.add(path, motion::in_quotes(id) + " is already the id of another question",
                 "give each a different one");
+  }
+
+  void check_display() {
+    const DisplaySize::Kind size = questionnaire_.display.size.kind;
+    const std::string distance = member_path(at("display"), "distance_cm");
+    if (list_.was_given(distance) &&
+        (size == DisplaySize::Kind::window || size == DisplaySize::Kind::native))
+      list_.add_at_key(distance, "is not needed for this size",
+                       "add size: {degrees: 12}, or remove it");
+    const std::string measure = member_path(at("display"), "size");
+    if (list_.was_given(member_path(measure, "cm")) &&
+        list_.was_given(member_path(measure, "degrees")))
+      list_.add_at_key(member_path(measure, "cm"), "cannot be combined with degrees",
+                       "keep one of them");
+    if (questionnaire_.view == ShownAs::turn && size != DisplaySize::Kind::window)
+      list_.add(measure, "figures that can be turned have no fixed size",
+                "remove it, or use view: video");
   }
 
   void check_view() {

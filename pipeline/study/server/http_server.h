@@ -16,7 +16,8 @@ std::string http_library();
 struct HttpSettings {
   std::string listen = "127.0.0.1";  ///< local address to bind to
   int port = 0;                      ///< 0: any free port
-  int connections = 192;             ///< maximum number at once; further ones are refused with 503
+  int connections = 640;             ///< maximum number at once, each with a thread of its own;
+                                     ///< further ones are refused with 503
   /// All requests come from a web server that states the client's address and protocol in the
   /// headers X-Forwarded-For and X-Forwarded-Proto. Otherwise these headers are ignored.
   bool behind_proxy = false;

@@ -44,10 +44,12 @@ std::string choice_fault(const ItemResponse& response, const std::vector<std::st
 
 ResponseScales response_scales_by_item(const Manifest& manifest) {
   const AnswerSettings& answer = questionnaire_of(manifest).answer;
+  const PreferenceSettings& preference = questionnaire_of(manifest).preference;
   ResponseScales scales;
   for (const Scale& scale : questionnaire_scales(manifest).scales)
-    scales[scale.id] = {answer.points, answer.slider, answer.words, scale.least,
-                        scale.most,    scale.low,     scale.high};
+    scales[scale.id] = {answer.points, answer.slider,   answer.words,
+                        scale.least,   scale.most,      scale.low,
+                        scale.high,    preference.ties, preference.strength};
   return scales;
 }
 

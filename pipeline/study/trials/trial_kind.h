@@ -68,6 +68,8 @@ struct ResponseScale {
   double least = -2.0;    ///< value of the low end
   double most = 2.0;      ///< value of the high end
   std::string low, high;  ///< labels of the ends
+  bool ties = false;      ///< two stimuli may be compared without a preference
+  bool strength = false;  ///< a preference for one of two stimuli is slight or strong
 };
 
 /// Response scales by item.

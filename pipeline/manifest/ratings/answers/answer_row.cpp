@@ -42,11 +42,11 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"item", "", "scale id; emotion for a choice from a list"}, &Row::item},
     {{"value_raw", "",
       "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
-      "written; left or right"},
+      "written; for a pair left, right or tie, or left_much, left_slightly, …"},
      &Row::value_raw},
     {{"value", "",
       "answer converted to the scale's range, increasing towards the high pole; or the emotion or "
-      "stimulus chosen, or the text written"},
+      "stimulus chosen (tie: neither), or the text written"},
      &Row::value},
     {{"pole_left", "", "pole on the left: low or high"}, &Row::pole_left},
     {{"rt_ms", "ms", "response time, from when answering became possible"}, &Row::rt_ms},
@@ -73,6 +73,14 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"viewport_width", "px", "width of the browser viewport"}, &Row::viewport_width},
     {{"viewport_height", "px", "height of the browser viewport"}, &Row::viewport_height},
     {{"refresh_hz", "Hz", "measured refresh rate of the screen"}, &Row::refresh_hz},
+    {{"shown_width", "px", "width of each stimulus on the screen, CSS pixels"}, &Row::shown_width},
+    {{"shown_height", "px", "height of each stimulus on the screen, CSS pixels"},
+     &Row::shown_height},
+    {{"pixel_ratio", "", "device pixels per CSS pixel"}, &Row::pixel_ratio},
+    {{"shown_cm", "cm", "width of each stimulus on a screen calibrated with a card"},
+     &Row::shown_cm},
+    {{"shown_degrees", "°", "width of each stimulus as visual angle at the stated distance"},
+     &Row::shown_degrees},
     {{"comment", "", "participant's comment on the video; in the first row of a trial"},
      &Row::comment},
     {{"seed", "", "seed of the participant's order"}, &Row::seed},
@@ -87,7 +95,9 @@ constexpr auto answer_row_columns = [] {
 }();
 
 /// Columns that tables of earlier versions do not have.
-bool is_later_column(std::string_view name) { return name == "blur_ms"; }
+bool is_later_column(std::string_view name) {
+  return name == "blur_ms" || name == "pixel_ratio" || name.starts_with("shown_");
+}
 
 /// Fills rows from fields and gathers what is wrong with them.
 class AnswerRowReader {

@@ -25,7 +25,7 @@ struct AnswerRow {
   std::string stimulus_sha256;  ///< SHA-256 of the file that was shown
   std::string against;          ///< the reference, or the other stimulus of a pair
   std::string item;             ///< id of the scale, or the form's own item (TrialForm)
-  std::string value_raw;  ///< position from the left, chosen or written words, "left" or "right"
+  std::string value_raw;  ///< position from the left, chosen or written words, or a side ("left")
   /// Value in the scale's range, where the maximum is the high pole; or the choice.
   std::string value;
   std::string pole_left;  ///< "low" or "high"; empty for items without poles
@@ -48,7 +48,12 @@ struct AnswerRow {
   std::optional<int> viewport_width;
   std::optional<int> viewport_height;
   std::optional<double> refresh_hz;
-  std::string comment;  ///< only in the first row of a trial
+  std::optional<double> shown_width;    ///< of each stimulus on the screen, CSS pixels
+  std::optional<double> shown_height;   ///< CSS pixels
+  std::optional<double> pixel_ratio;    ///< device pixels per CSS pixel
+  std::optional<double> shown_cm;       ///< width on a calibrated screen, centimetres
+  std::optional<double> shown_degrees;  ///< width as visual angle at the stated viewing distance
+  std::string comment;                  ///< only in the first row of a trial
   std::uint64_t seed = 0;
   std::string design;  ///< hash of the questionnaire
   bool simulated = false;
@@ -85,9 +90,8 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 enum class DuplicateAnswers { refused, allowed };
 
 /// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`
-/// and there was no `blur_ms`. In the first case, a warning is added to `warnings` unless it is
-/// null. Columns may be in any order;
-/// unknown columns are ignored.
+/// and there were no `blur_ms` and no sizes of stimuli. In the first case, a warning is added to
+/// `warnings` unless it is null. Columns may be in any order; unknown columns are ignored.
 ///
 /// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults
 /// of the rows at once: an empty participant or trial, an empty stimulus or item (except in

@@ -34,6 +34,9 @@ inline constexpr Words<const TrialForm*> trial_form_words = {{rating_form.name, 
 inline constexpr char trial_forms_meaning[] =
     "rating, emotion (which of a list), pair (which of two) or attention";
 
+/// The value of an answer to a pair that states no preference.
+inline constexpr char tie_value[] = "tie";
+
 /// The kind of an attention check's answer, for all forms of trials.
 inline constexpr char attention_kind[] = "attention";
 

@@ -35,6 +35,8 @@ ordered_json items_json(const Manifest& manifest) {
                        {"default", start},
                        {"least", scale.least},
                        {"most", scale.most}};
+    if (asked.preference.ties) items[scale.id]["ties"] = true;
+    if (asked.preference.strength) items[scale.id]["strength"] = true;
   }
   return items;
 }
@@ -50,12 +52,18 @@ ordered_json settings_json(const Questionnaire& asked) {
   ordered_json replays = "counted";
   if (asked.replays.most)
     replays = *asked.replays.most == 0 ? ordered_json("none") : ordered_json(*asked.replays.most);
-  return {{"replays", replays},
-          {"watch", word_of(watching_words, asked.watch)},
-          {"comments", asked.comments},
-          {"phones", word_of(phones_words, asked.phones)},
-          {"view", word_of(shown_as_words, asked.view)},
-          {"question", asked.question}};
+  ordered_json settings = {{"replays", replays},
+                           {"watch", word_of(watching_words, asked.watch)},
+                           {"comments", asked.comments},
+                           {"phones", word_of(phones_words, asked.phones)},
+                           {"view", word_of(shown_as_words, asked.view)},
+                           {"question", asked.question}};
+  if (asked.display.size.kind != DisplaySize::Kind::window)
+    settings["display"] = {{"size", DisplaySizeForm::write(asked.display.size, {})},
+                           {"distance_cm", asked.display.distance_cm}};
+  if (asked.preference.shown != PairPresentation::together)
+    settings["pairs"] = word_of(pair_presentation_words, asked.preference.shown);
+  return settings;
 }
 
 /// What the page needs to know of the recruitment; null if there is none.

@@ -128,7 +128,9 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
                         .least = item.at("least"),
                         .most = item.at("most"),
                         .low = item.value("low", ""),
-                        .high = item.value("high", "")};
+                        .high = item.value("high", ""),
+                        .ties = item.value("ties", false),
+                        .strength = item.value("strength", false)};
   if (const auto choices = experiment.find("choices"); choices != experiment.end())
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
@@ -178,6 +180,11 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.viewport_width = reader.count("viewport_width");
   record.measured.viewport_height = reader.count("viewport_height");
   record.measured.refresh_hz = reader.amount("refresh_hz", 10'000);
+  record.measured.shown_width = reader.amount("shown_width", max_count);
+  record.measured.shown_height = reader.amount("shown_height", max_count);
+  record.measured.pixel_ratio = reader.amount("pixel_ratio", max_count);
+  record.measured.shown_cm = reader.amount("shown_cm", max_count);
+  record.measured.shown_degrees = reader.amount("shown_degrees", 180.0);
   record.url_parameters = read_url_parameters(reader.find("url_parameters"));
   record.consent = read_consent(reader.find("consent"));
   record.media_sha256 = read_hashes(reader.find("media_sha256"));

@@ -76,6 +76,7 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
       clock_(clock),
       sessions_(study, store, clock),
       link_rate_(rates.link),
+      shared_rate_(rates.shared),
       live_rate_(rates.live),
       wrong_rate_(rates.wrong),
       joining_rate_(rates.joining) {}
@@ -267,7 +268,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
   if (path.size() > 3) return unknown(request);
-  if (!link_rate_.allows("join " + request.address)) return http_too_many_requests();
+  if (!shared_rate_.allows(request.address)) return http_too_many_requests();
   if (path[2] == "session.json") return http_json(joining_json(study_));
   if (path[2].empty() && sessions_.has_enough())
     return message_page(403,

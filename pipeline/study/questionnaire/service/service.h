@@ -11,11 +11,11 @@ namespace mien::pipeline {
 
 /// Rate limits of requests.
 struct ServiceRates {
-  /// Per participant's link; for the page of the shared link, per client address.
-  Rate link{.burst = 300, .per_second = 10};
-  Rate live{.burst = 600, .per_second = 120};   ///< synthesized motions, per participant's link
+  Rate link{.burst = 300, .per_second = 10};     ///< per participant's link
+  Rate shared{.burst = 2000, .per_second = 50};  ///< page of the open link, per client address
+  Rate live{.burst = 600, .per_second = 120};    ///< synthesized motions, per participant's link
   Rate wrong{.burst = 60, .per_second = 0.5};   ///< requests with unknown links, per client address
-  Rate joining{.burst = 100, .per_second = 1};  ///< new sessions, per client address
+  Rate joining{.burst = 300, .per_second = 1};  ///< new sessions, per client address
 };
 
 /// Handles the requests of a served study:
@@ -75,7 +75,7 @@ class QuestionnaireService {
   StudySessions sessions_;
   mutable std::mutex last_failure_mutex_;
   std::string last_failure_;
-  RateLimit link_rate_, live_rate_, wrong_rate_, joining_rate_;
+  RateLimit link_rate_, shared_rate_, live_rate_, wrong_rate_, joining_rate_;
 };
 
 }  // namespace mien::pipeline

@@ -74,6 +74,8 @@ constexpr char with_questions_and_factors[] =
 constexpr char with_questions_and_glb[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
+constexpr char with_pairs[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "trials": "pair"}, "output": {"video": ["mp4"]}})";
 constexpr char with_screening[] =
     R"({"questionnaire": {"participants": 4, "scales": "all", "screening": {"questions": [{"id": "age", "ask": "How old?", "answer": "number"}]}}, "output": {"video": ["mp4"]}})";
 constexpr char with_prolific[] =
@@ -129,6 +131,9 @@ const Surroundings surroundings[] = {
     {"questionnaire.view", with_questions_and_glb, "{}"},
     {"questionnaire.choices", with_questions, R"({"trials": "emotion"})"},
     {"questionnaire.pairs", with_questions, R"({"trials": "pair"})"},
+    {"questionnaire.display.distance_cm", with_questions, R"({"size": {"degrees": 12}})"},
+    {"questionnaire.preference.", with_pairs, "{}"},
+    {"questionnaire.preference", with_questions, R"({"trials": "pair"})"},
     {"questionnaire.scales.ask",
      R"({"questionnaire": {"participants": 4}, "output": {"video": ["mp4"]}})",
      R"({"file": "my.scales.yaml"})"},
@@ -419,6 +424,10 @@ const Values chosen_values[] = {
     {"questionnaire.scales.ask", R"([["slow-quick"], ["big-small"]])"},
     {"questionnaire.choices", R"([["sad", "happy"], {"sad": "S", "happy": "H"}])"},
     {"questionnaire.pairs", R"([[["a", "b"]], [["b", "a"]]])"},
+    {"questionnaire.display", R"([{"size": "native"}, {"size": {"cm": 12}}])"},
+    {"questionnaire.display.size", R"(["native", {"degrees": 12}])"},
+    {"questionnaire.display.distance_cm", "[57, 60]"},
+    {"questionnaire.preference", R"([{"ties": true}, {"strength": true}])"},
     {"questionnaire.answer", R"([{"points": 7}, {"slider": true}])"},
     {"questionnaire.order", R"(["full", {"blocked": "actor"}])"},
     {"questionnaire.order.blocked", R"(["actor", "mood"])"},

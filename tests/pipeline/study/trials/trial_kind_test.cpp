@@ -22,7 +22,10 @@ void for_each_question(auto&& ask) {
   const ResponseScale scales[] = {{.points = 5},
                                   {.points = 2, .least = -1, .most = 1},
                                   {.slider = true, .least = 0, .most = 3},
-                                  {.words = true, .low = "sad", .high = "happy"}};
+                                  {.words = true, .low = "sad", .high = "happy"},
+                                  {.ties = true},
+                                  {.strength = true},
+                                  {.ties = true, .strength = true}};
   for (const auto& [name, form] : trial_form_words) {
     const TrialKind& kind = trial_kind_of(*form);
     const Trial trial = trial_of(kind);
@@ -113,6 +116,42 @@ TEST(Trials, OfTwoStimuliAreAnsweredWithOneOfThem) {
   EXPECT_EQ(completed(question, "left").value, "walk");
   EXPECT_EQ(completed(question, "right").value, "run");
   EXPECT_EQ(completed(question, "right").pole_left, "");
+}
+
+/// Raw answers of simulated participants to a pair, from a much smaller first to a much greater
+/// one.
+std::vector<std::string> answers_on(const ResponseScale& scale) {
+  const Trial trial = trial_of(pair_trials);
+  const Question question{trial, trial.items[0], &scale, choices};
+  std::vector<std::string> answers;
+  for (const double first : {-2.0, -0.5, 0.1, 0.5, 2.0}) {
+    const SimulatedView view{
+        .opinion = [&](std::size_t which) { return which == 0 ? first : 0.0; }};
+    answers.push_back(pair_trials.simulated(question, view));
+  }
+  return answers;
+}
+
+TEST(Trials, OfTwoStimuliMayEndInATieAndHaveAStrength) {
+  using Answers = std::vector<std::string>;
+  EXPECT_EQ(answers_on({}), (Answers{"right", "right", "left", "left", "left"}));
+  EXPECT_EQ(answers_on({.ties = true}), (Answers{"right", "right", "tie", "left", "left"}));
+  EXPECT_EQ(
+      answers_on({.strength = true}),
+      (Answers{"right_much", "right_slightly", "left_slightly", "left_slightly", "left_much"}));
+  EXPECT_EQ(answers_on({.ties = true, .strength = true}),
+            (Answers{"right_much", "right_slightly", "tie", "left_slightly", "left_much"}));
+  const Trial trial = trial_of(pair_trials);
+  const ResponseScale plain, scale{.ties = true, .strength = true};
+  const Question question{trial, trial.items[0], &scale, choices};
+  EXPECT_EQ(completed(question, "tie").value, "tie");
+  EXPECT_EQ(completed(question, "left_slightly").value, "walk");
+  EXPECT_EQ(completed(question, "right_much").value, "run");
+  for (const char* raw : {"left", "right"})
+    EXPECT_NE(pair_trials.fault(question, response_of(question, raw)), "") << raw;
+  const Question without{trial, trial.items[0], &plain, choices};
+  for (const char* raw : {"tie", "left_much"})
+    EXPECT_NE(pair_trials.fault(without, response_of(without, raw)), "") << raw;
 }
 
 TEST(Trials, AreCalledAttentionChecksWhereAnAnswerIsExpected) {

@@ -7,7 +7,8 @@ export const answerColumns = [
   "rt_ms", "is_practice", "is_warmup", "is_check", "expected", "passed",
   "replays", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
   "dropped_frames", "blurs", "blur_ms", "viewport_width", "viewport_height", "refresh_hz",
-  "comment", "seed", "design", "simulated",
+  "shown_width", "shown_height", "pixel_ratio", "shown_cm", "shown_degrees", "comment",
+  "seed", "design", "simulated",
 ] as const;
 
 export const participantColumns = [

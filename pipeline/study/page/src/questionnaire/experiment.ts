@@ -82,8 +82,18 @@ export interface Settings {
   comments: boolean;
   phones: "refused" | "served";
   view: "video" | "turn";
+  /** As large as the window allows where it is not given. */
+  display?: Display;
+  /** Pairs are shown one after the other, not side by side. */
+  pairs?: "in_turn";
   /** Above the items of a trial, in place of the usual question. */
   question?: string;
+}
+
+/** The size of stimuli on the screen. */
+export interface Display {
+  size: "native" | { cm: number } | { degrees: number };
+  distance_cm: number;
 }
 
 /** A scale. */
@@ -98,6 +108,9 @@ export interface Item {
   default: "middle" | null;
   least: number;
   most: number;
+  /** Of pairs: no preference may be answered, and preferences may be slight or strong. */
+  ties?: boolean;
+  strength?: boolean;
 }
 
 export interface Demographic {
@@ -177,6 +190,11 @@ export interface PageRecord {
   viewport_width?: number;
   viewport_height?: number;
   refresh_hz?: number | null;
+  shown_width?: number | null;
+  shown_height?: number | null;
+  pixel_ratio?: number | null;
+  shown_cm?: number | null;
+  shown_degrees?: number | null;
   media_sha256?: string[];
   /** Of consent: the text that was shown. */
   consent?: ConsentText;

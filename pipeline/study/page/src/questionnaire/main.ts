@@ -1,5 +1,6 @@
 import { initJsPsych } from "jspsych";
 import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
+import { calibrate, neededWindow, needsCalibration } from "./display";
 import { saveFiles } from "./files";
 import { jatosIds } from "./jatos";
 import { LoadPage } from "./load_page";
@@ -10,7 +11,7 @@ import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedPa
 import { answersCsv, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
 import { RunPage } from "./run_page";
-import { runScreening, screeningFault } from "./screening";
+import { enlargedWindow, runScreening, screeningFault } from "./screening";
 import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding } from "./session_page";
 import type { Store } from "./store";
 import { linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
@@ -94,6 +95,17 @@ async function turnAway({ mode, experiment, store, texts, parameters }: Session)
   return forever();
 }
 
+/** Asks for a window in which the stimuli have their size; whoever cannot give one goes on all the same. */
+async function fitWindow({ experiment, store, texts }: Session, display: HTMLElement): Promise<void> {
+  const { settings, media } = experiment;
+  const besides = store.session.trials.map((trial) => {
+    const shown = settings.pairs === "in_turn" ? trial.media.slice(0, 1)
+      : trial.reference ? [...trial.media, trial.reference] : trial.media;
+    return shown.map((token) => media[token]!);
+  });
+  await enlargedWindow(display, texts, neededWindow(settings.display, besides));
+}
+
 /** The timeline; what is kept already is left out. */
 function timelineOf(own: Session) {
   const { experiment, store, texts, keep } = own;
@@ -114,6 +126,10 @@ function timelineOf(own: Session) {
   if (screening && !kept("screening"))
     timeline.push({ type: RunPage, run: (display: HTMLElement) =>
       runScreening(display, screening, store.name, texts, (record, page) => keepScreening(own, record, page)) });
+  if (needsCalibration(experiment.settings.display))
+    timeline.push({ type: RunPage, run: (display: HTMLElement) =>
+      calibrate(display, texts, experiment.settings.display!.distance_cm) });
+  if (experiment.settings.display) timeline.push({ type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
   const keys = [...(isTouched() ? [] : [texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
   const isResumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));

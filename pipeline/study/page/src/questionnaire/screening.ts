@@ -11,7 +11,7 @@ const isLargeEnough = ([width, height]: [number, number]): boolean =>
   innerWidth >= width && innerHeight >= height;
 
 /** Asks to enlarge the window until it is large enough; false if the participant cannot. */
-function enlargedWindow(display: HTMLElement, texts: Texts, window: [number, number]): Promise<boolean> {
+export function enlargedWindow(display: HTMLElement, texts: Texts, window: [number, number]): Promise<boolean> {
   if (isLargeEnough(window)) return Promise.resolve(true);
   return new Promise((done) => {
     const size = element("p", { role: "status" });

@@ -2,6 +2,8 @@ import type { Media, Settings } from "./experiment";
 import { screenOf, type Screen, type ScreenEvents } from "./screen";
 import { button, element } from "./elements";
 import type { Texts } from "./texts";
+import { fixedWidth, shownSize, type ShownSize } from "./display";
+import { pairNames } from "./trials/pair";
 
 export interface ShownMedia {
   token: string;
@@ -25,9 +27,12 @@ const patienceMs = 6000;
 
 const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d" };
 
+/** Between two stimuli that are shown one after the other (questionnaire/session_duration.cpp). */
+const betweenMs = 500;
+
 /**
- * One or two stimuli beside each other, covered until they are played and after they have ended.
- * They begin together; they have been seen when the last has ended.
+ * One stimulus, or two beside each other or one after the other, covered until they are played and after they have
+ * ended. Those beside each other begin together. They have been seen when the last has ended.
  */
 export class Stage {
   readonly root: HTMLElement;
@@ -35,6 +40,10 @@ export class Stage {
   private cover: HTMLElement;
   private playButton: HTMLButtonElement;
   private note: HTMLElement;
+  private frames: HTMLElement;
+  private isInTurn: boolean;
+  /** Of those that are shown one after the other, the one that is shown. */
+  private current = 0;
   private state: "loading" | "covered" | "playing" = "loading";
   private plays = 0;
   private firstStart: number | null = null;
@@ -48,13 +57,17 @@ export class Stage {
     shown: ShownMedia[], private settings: Settings, private texts: Texts,
     private beganAt: number, private told: { began(): void; ended(): void },
   ) {
-    this.root = element("div", { class: `stage ${shown.length > 1 ? "two" : "one"}` });
-    const frames = element("div", { class: "frames" });
-    for (const one of shown) frames.append(this.frameOf(one));
+    this.isInTurn = settings.pairs === "in_turn" && shown.some(({ role }) => role === "left");
+    const look = this.isInTurn ? "one in-turn" : shown.length > 1 ? "two" : "one";
+    this.root = element("div", { class: `stage ${look}` });
+    if (settings.display) this.root.classList.add("fixed");
+    this.frames = element("div", { class: "frames" });
+    for (const one of shown) this.frames.append(this.frameOf(one));
+    this.showFrame(0);
     this.playButton = button("", () => this.play(), "play");
     this.note = element("p", { class: "stage-note", role: "status" });
     this.cover = element("div", { class: "cover" }, this.playButton, this.note);
-    this.root.append(frames, this.cover);
+    this.root.append(this.frames, this.cover);
     this.showCover();
     Promise.all(this.screens.map(({ ready }) => ready)).then(
       () => { this.state = "covered"; this.showCover(); },
@@ -62,8 +75,8 @@ export class Stage {
   }
 
   private frameOf({ url, media, role }: ShownMedia): HTMLElement {
-    const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference,
-      left: this.texts.left, right: this.texts.right }[role];
+    const [left, right] = pairNames({ settings: this.settings }, this.texts);
+    const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right }[role];
     const events: ScreenEvents = {
       began: () => this.began(),
       stalled: () => this.stalled(),
@@ -73,11 +86,21 @@ export class Stage {
     const screen = screenOf(url, media, label || this.texts.figure, colours[role], events);
     this.screens.push(screen);
     screen.element.classList.add("screen");
+    const width = fixedWidth(this.settings.display, media);
+    if (width !== null) {
+      screen.element.style.width = `${width}px`;
+      screen.element.style.height = `${(width * media.height) / media.width}px`;
+    }
     if (screen.element instanceof HTMLVideoElement)
       screen.element.setAttribute("aria-label", label || this.texts.video);
     const frame = element("figure", { class: `frame ${role}` }, screen.element);
     if (label) frame.append(element("figcaption", {}, label));
     return frame;
+  }
+
+  /** The size of the first of the stimuli. */
+  shownSize(): ShownSize {
+    return shownSize(this.settings.display, this.screens[0]!.element);
   }
 
   private now = (): number => performance.now() - this.beganAt;
@@ -96,9 +119,23 @@ export class Stage {
     this.plays += 1;
     this.state = "playing";
     this.showCover();
-    for (const screen of this.screens) screen.play();
+    if (this.isInTurn) this.playFrame(0);
+    else for (const screen of this.screens) screen.play();
     // Arrow keys turn what is turned.
     if (this.settings.view === "turn") this.screens[0]?.element.focus({ preventScroll: true });
+    this.watch();
+  }
+
+  /** Of those that are shown one after the other, shows this one; none with −1. */
+  private showFrame(current: number): void {
+    if (!this.isInTurn) return;
+    this.current = current;
+    [...this.frames.children].forEach((frame, index) => frame.classList.toggle("current", index === current));
+  }
+
+  private playFrame(current: number): void {
+    this.showFrame(current);
+    this.screens[current]!.play();
     this.watch();
   }
 
@@ -139,12 +176,24 @@ export class Stage {
   }
 
   private ended(): void {
-    if (this.state !== "playing" || !this.screens.every((screen) => screen.hasEnded())) return;
+    if (this.state !== "playing") return;
+    if (this.isInTurn && this.current < this.screens.length - 1) return this.turn();
+    if (!this.screens.every((screen) => screen.hasEnded())) return;
     this.wentOn();
     this.firstEnd ??= this.now();
     this.state = "covered";
     this.showCover();
     this.told.ended();
+  }
+
+  /** After the one, an empty stage, and then the other. */
+  private turn(): void {
+    this.wentOn();
+    const next = this.current + 1;
+    this.showFrame(-1);
+    setTimeout(() => {
+      if (this.state === "playing") this.playFrame(next);
+    }, betweenMs);
   }
 
   private showCover(): void {

@@ -70,7 +70,9 @@ class TrialAtWork {
     this.asked = kindOf(trial).ask({ trial, experiment, texts,
       choices: around.session.choices ?? Object.keys(experiment.choices ?? {}),
       answered: (asked, isKey) => this.answered(asked, isKey) });
-    page.classList.add(trial.kind, shown.length > 1 ? "wide" : "narrow");
+    const isWide = shown.length > 1 && experiment.settings.pairs !== "in_turn";
+    page.classList.add(trial.kind, isWide ? "wide" : "narrow");
+    if (experiment.settings.display) page.classList.add("fixed");
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
     if (shown.length) {
@@ -208,6 +210,7 @@ class TrialAtWork {
       viewport_width: innerWidth,
       viewport_height: innerHeight,
       refresh_hz: around.refresh_hz,
+      ...this.stage?.shownSize(),
       media_sha256: tokens.map((token) => around.experiment.media[token]!.sha256),
       started_at: this.started_at,
     };

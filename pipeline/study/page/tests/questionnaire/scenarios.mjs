@@ -421,6 +421,62 @@ async function prolific() {
     troubles: troubles.flat() };
 }
 
+/** Stimuli of a fixed size on a screen with two device pixels per CSS pixel, calibrated at 400 px for a card. */
+async function calibrated() {
+  const opened = await open(`${onDisk}?participant=p001`,
+    { viewport: { width: 600, height: 400 }, deviceScaleFactor: 2 });
+  const { page } = opened;
+  await page.locator(".page .buttons .main").click();
+  const told = {};
+  if (await page.locator(".calibration, .trial, .page [role=status]").first().waitFor().then(() =>
+    page.locator(".calibration").count())) {
+    await page.locator(".card-width input").fill("400");
+    await page.locator(".card-width button").last().click();
+    await page.locator(".card-width button").first().click();
+    told.card = await page.locator(".card").evaluate((card) => card.getBoundingClientRect().width);
+    told.sit = await page.locator(".calibration").innerText();
+    await page.locator(".calibration .main").click();
+  }
+  await page.waitForFunction(() => /600 × 400/.test(document.querySelector(".page")?.innerText ?? ""));
+  told.asked = await page.locator(".page").innerText();
+  await page.setViewportSize({ width: 1366, height: 900 });
+  let reloads = 0;
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 2 || reloads > 0) return false;
+    told.seen = await page.locator(".screen").evaluateAll((shown) => shown.map((one) => one.getBoundingClientRect().width));
+    told.overflows = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+    reloads += 1;
+    await page.reload();  // the screen stays calibrated
+    return true;
+  } });
+  return withFiles(opened, told);
+}
+
+/** Pairs that are shown one after the other, with ties and strength; which frame of the first trial was seen when. */
+async function pairs() {
+  const opened = await open(`${onDisk}?participant=p001`);
+  const { page } = opened;
+  let frames = null;
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 1 || frames) return false;
+    frames = await page.evaluate(async () => {
+      const seen = [];
+      const began = performance.now();
+      document.querySelector(".play").click();
+      while (document.querySelector(".answers").inert && performance.now() - began < 20000) {
+        const shown = [...document.querySelectorAll(".frame")].map((frame) =>
+          getComputedStyle(frame.querySelector(".screen")).visibility === "visible" ? "1" : "0").join("");
+        if (seen[seen.length - 1]?.shown !== shown) seen.push({ shown, at: performance.now() - began });
+        await new Promise((next) => requestAnimationFrame(next));
+      }
+      return seen;
+    });
+    await page.reload();  // as if nothing had been seen
+    return true;
+  } });
+  return withFiles(opened, { frames });
+}
+
 /** What keys do on the page of consent and among answers; what a phone is told of them. */
 async function singleKeys() {
   const { page, troubles } = await open(`${onDisk}?participant=p001`);
@@ -534,7 +590,7 @@ async function takeToTrial(page) {
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
-  served, laboratory, prolific, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
+  served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

@@ -34,9 +34,15 @@ AnswerRow full_row() {
           .stall_ms = 30,
           .dropped_frames = 4,
           .blurs = 1,
+          .blur_ms = 830.5,
           .viewport_width = 1366,
           .viewport_height = 768,
           .refresh_hz = 59.94,
+          .shown_width = 480.5,
+          .shown_height = 360.25,
+          .pixel_ratio = 1.25,
+          .shown_cm = 12.5,
+          .shown_degrees = 11.9,
           .comment = "\"sad\", 悲しい\nor tired",
           .seed = 18446744073709551615ULL,
           .design = "0123456789abcdef",
@@ -96,6 +102,34 @@ TEST(AnswerRow, HasAColumnForEachOfItsFieldsAndAMeaningForEachColumn) {
     EXPECT_FALSE(column.meaning.empty()) << column.name;
     EXPECT_TRUE(names.insert(column.name).second) << column.name;
   }
+}
+
+/// The table with these columns left out.
+std::string without_columns(const std::set<std::string>& left_out) {
+  const std::vector<std::string> names = header_of(answer_form), fields = fields_of_row(full_row());
+  std::vector<std::string> header, row;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (left_out.contains(names[i])) continue;
+    header.push_back(names[i]);
+    row.push_back(fields[i]);
+  }
+  CsvWriter writer(header);
+  writer.row(row);
+  return writer.text();
+}
+
+TEST(AnswerRow, IsReadFromTablesOfEarlierVersions) {
+  const auto rows =
+      answer_rows(parse_csv(without_columns({"blur_ms", "shown_width", "shown_height",
+                                             "pixel_ratio", "shown_cm", "shown_degrees"}),
+                            "a.csv"));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_FALSE(rows[0].blur_ms);
+  EXPECT_FALSE(rows[0].shown_degrees);
+  EXPECT_EQ(rows[0].refresh_hz, 59.94);
+  EXPECT_EQ(rows[0].comment, full_row().comment);
+  EXPECT_NE(faults_of(without_columns({"refresh_hz"})).find("there is no column"),
+            std::string::npos);
 }
 
 TEST(AnswerRow, IsReadFromColumnsInAnyOrderAndBesideOthers) {

@@ -9,7 +9,7 @@ import type { CheckedKind, TrialKind } from "./trial_kind";
 /** The kind of trial that a check looks like. */
 function kindOfCheck({ items: [first], expected }: Trial): CheckedKind {
   if (first?.item === emotionItem) return emotion;
-  return expected === "left" || expected === "right" ? pair : rating;
+  return /^(left|right)(_much)?$/.test(expected ?? "") ? pair : rating;
 }
 
 export const attention: TrialKind = {

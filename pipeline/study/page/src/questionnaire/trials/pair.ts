@@ -1,13 +1,32 @@
 // Which of two stimuli has more of the high end of each scale.
 
-import { choicesOf, type Asked } from "../answers";
+import { choicesOf, type Asked, type Choice } from "../answers";
+import type { Experiment } from "../experiment";
+import type { Texts } from "../texts";
 import type { Asking, CheckedKind } from "./trial_kind";
 
-function sideOf(id: string, { experiment, texts, answered }: Asking): Asked {
+/** What the two stimuli are called: by their sides, or by their order. */
+export const pairNames = ({ settings }: Pick<Experiment, "settings">, texts: Texts): [string, string] =>
+  settings.pairs === "in_turn" ? [texts.first, texts.second] : [texts.left, texts.right];
+
+/** All that may be answered to an item, from left to right. */
+function sidesOf({ experiment, texts }: Pick<Asking, "experiment" | "texts">, id: string): Choice[] {
+  const { ties, strength } = experiment.items[id] ?? {};
+  const [left, right] = pairNames(experiment, texts);
+  const tie: Choice[] = ties ? [{ value: "tie", text: texts.noDifference, look: "middle" }] : [];
+  if (!strength)
+    return [{ value: "left", text: left, look: "left-2" }, ...tie, { value: "right", text: right, look: "right-2" }];
+  const side = (value: string, name: string, much: boolean, look: string): Choice =>
+    ({ value: `${value}_${much ? "much" : "slightly"}`, text: name, note: much ? texts.muchMore : texts.slightlyMore,
+      meaning: `${name}, ${much ? texts.muchMore : texts.slightlyMore}`, look });
+  return [side("left", left, true, "left-3"), side("left", left, false, "left-1"), ...tie,
+    side("right", right, false, "right-1"), side("right", right, true, "right-3")];
+}
+
+function sideOf(id: string, asking: Asking): Asked {
+  const { experiment, texts, answered } = asking;
   const item = experiment.items[id];
-  return choicesOf(id, item ? texts.more(item.high) : id, "", "",
-    [{ value: "left", text: texts.left, look: "left-2" }, { value: "right", text: texts.right, look: "right-2" }],
-    String, null, answered);
+  return choicesOf(id, item ? texts.more(item.high) : id, "", "", sidesOf(asking, id), String, null, answered);
 }
 
 export const pair: CheckedKind = {
@@ -23,11 +42,13 @@ export const pair: CheckedKind = {
     return item ? texts.whichIsMore(item.high) : texts.whichOfTwo;
   },
 
-  meaning: ({ media: [left, right] }, response, _raw, _experiment, stimulus) =>
-    ({ value: stimulus(response.value_raw === "left" ? left : right), pole_left: "" }),
+  meaning: ({ media: [left, right] }, { value_raw: raw }, _raw, _experiment, stimulus) =>
+    ({ value: raw === "tie" ? "tie" : stimulus(String(raw).startsWith("left") ? left : right), pole_left: "" }),
 
   askCheck: (asking) => sideOf(asking.trial.items[0]?.item ?? "attention", asking),
 
-  checkText: (trial, _experiment, texts) =>
-    texts.chooseWord(trial.expected === "left" ? texts.left : texts.right),
+  checkText({ items: [first], expected }, experiment, texts) {
+    const asked = sidesOf({ experiment, texts }, first?.item ?? "").find(({ value }) => value === expected);
+    return texts.chooseWord(asked?.meaning ?? asked?.text ?? expected ?? "");
+  },
 };
