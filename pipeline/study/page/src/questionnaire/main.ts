@@ -126,9 +126,11 @@ function timelineOf(own: Session) {
   if (screening && !kept("screening"))
     timeline.push({ type: RunPage, run: (display: HTMLElement) =>
       runScreening(display, screening, store.name, texts, (record, page) => keepScreening(own, record, page)) });
-  if (needsCalibration(experiment.settings.display))
-    timeline.push({ type: RunPage, run: (display: HTMLElement) =>
-      calibrate(display, texts, experiment.settings.display!.distance_cm) });
+  const calibration = { type: RunPage, run: async (display: HTMLElement) => {
+    const { display: asked } = experiment.settings;
+    if (needsCalibration(asked)) await calibrate(display, texts, asked!.distance_cm);
+  } };
+  if (experiment.settings.display) timeline.push(calibration);
   if (experiment.settings.display) timeline.push({ type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
   const keys = [...(isTouched() ? [] : [texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
@@ -150,6 +152,8 @@ function timelineOf(own: Session) {
       timeline.push(textPage(own, "", { title: texts.practice, texts: [texts.practiceBegins] }));
     if (!trial.practice && before?.practice)
       timeline.push(textPage(own, "", { title: experiment.title, texts: [texts.mainBegins] }));
+    // The window may have been moved to another screen, or zoomed.
+    if (experiment.settings.display) timeline.push(calibration);
     timeline.push({ type: TrialPage, asked: trial, shownIn: around });
   });
   if (!kept("ending"))

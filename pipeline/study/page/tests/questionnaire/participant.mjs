@@ -28,7 +28,10 @@ async function answerByMouse(page, number, careless) {
   const asked = page.locator("fieldset.asked");
   for (let i = 0; i < (await asked.count()); i += 1) {
     const inputs = asked.nth(i).locator("input");
-    const place = placeOf(wanted, i + number, await inputs.count(), careless);
+    const word = /choose “(.+)”/.exec(wanted)?.[1];
+    const named = word === undefined ? -1 : await inputs.evaluateAll((all, asked) => all.findIndex((input) =>
+      (input.getAttribute("aria-label") ?? input.labels[0].innerText) === asked), word);
+    const place = named >= 0 ? named : placeOf(wanted, i + number, await inputs.count(), careless);
     await inputs.nth(place).click({ force: true });
   }
   for (const slider of await page.locator('.asked input[type="range"]').all()) {

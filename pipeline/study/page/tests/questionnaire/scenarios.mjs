@@ -423,23 +423,25 @@ async function prolific() {
 
 /** Stimuli of a fixed size on a screen with two device pixels per CSS pixel, calibrated at 400 px for a card. */
 async function calibrated() {
-  const opened = await open(`${onDisk}?participant=p001`,
-    { viewport: { width: 600, height: 400 }, deviceScaleFactor: 2 });
-  const { page } = opened;
-  await page.locator(".page .buttons .main").click();
   const told = {};
-  if (await page.locator(".calibration, .trial, .page [role=status]").first().waitFor().then(() =>
-    page.locator(".calibration").count())) {
+  const comeWith = async (viewport) => {
+    const opened = await open(`${onDisk}?participant=p001`, { viewport, deviceScaleFactor: 2 });
+    const { page } = opened;
+    await page.locator(".page .buttons .main").click();
+    await page.waitForSelector(".calibration");
     await page.locator(".card-width input").fill("400");
     await page.locator(".card-width button").last().click();
     await page.locator(".card-width button").first().click();
     told.card = await page.locator(".card").evaluate((card) => card.getBoundingClientRect().width);
     told.sit = await page.locator(".calibration").innerText();
     await page.locator(".calibration .main").click();
-  }
-  await page.waitForFunction(() => /600 × 400/.test(document.querySelector(".page")?.innerText ?? ""));
-  told.asked = await page.locator(".page").innerText();
-  await page.setViewportSize({ width: 1366, height: 900 });
+    return opened;
+  };
+  const small = await comeWith({ width: 600, height: 400 });
+  await small.page.waitForFunction(() => /600 × 400/.test(document.querySelector(".page")?.innerText ?? ""));
+  told.asked = await small.page.locator(".page").innerText();
+  const opened = await comeWith({ width: 1366, height: 900 });
+  const { page } = opened;
   let reloads = 0;
   await take(page, { each: async (sight, number) => {
     if (sight !== "trial" || number !== 2 || reloads > 0) return false;
