@@ -145,5 +145,9 @@ TEST(KilledServer, LosesAndDoublesNoAnswerOfAFewParticipants) { answer_while_kil
 
 TEST(KilledServer, LosesAndDoublesNoAnswerOfTwentyParticipants) { answer_while_killing(20, 5); }
 
+TEST(KilledServer, LosesAndDoublesNoAnswerOfTwoHundredParticipants) {
+  answer_while_killing(200, 20);
+}
+
 }  // namespace
 }  // namespace mien::pipeline
