@@ -67,15 +67,25 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest);
 /// if it has none.
 std::vector<Fault> check_recruitment(const Manifest& manifest);
 
-/// Checks the answers that a questionnaire's screening accepts and its quotas count. No faults if it
-/// has none.
+/// Checks the answers that a questionnaire's screening accepts and its quotas count. No faults if
+/// it has none.
 std::vector<Fault> check_screening(const Manifest& manifest);
 
 /// Checks the quality rules of a questionnaire's analysis. No faults if it has none.
 std::vector<Fault> check_quality(const Manifest& manifest);
 
+/// Returns warnings about quality rules that flag nobody or everybody: rules about raw answers on
+/// scales without such answers or with bounds that they cannot reach, and `flagged` without rules.
+/// The manifest must have a questionnaire and no faults.
+std::vector<Fault> quality_warnings(const Manifest& manifest);
+
+/// The number of trials of a session whose answers are analysed, if it is completed. The manifest
+/// must have a questionnaire.
+int analysed_trials(const Manifest& manifest);
+
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
-/// checks that can exclude no participant or that never occur. The manifest must have no faults.
+/// checks that can exclude no participant or that never occur, and those of quality_warnings. The
+/// manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 
 /// Returns faults of a matching experiment, such as unknown targets, adjectives or features, no

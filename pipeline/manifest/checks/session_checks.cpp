@@ -19,12 +19,38 @@ bool is_played_by_browsers(render::VideoKind kind) {
 /// How many trials the main part of a session has, warm-up and repeated ones among them.
 int main_trials(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
-  const int all = static_cast<int>(questionnaire_subjects(manifest).size());
-  const int own = asked.per_participant == 0 ? all : std::min(asked.per_participant, all);
-  return own + asked.repeated + asked.warm_up;
+  return analysed_trials(manifest) + asked.repeated + asked.warm_up;
+}
+
+std::vector<Fault> attention_warnings(const Manifest& manifest) {
+  if (manifest.questionnaire->attention_every == 0) return {};
+  const Questionnaire& asked = *manifest.questionnaire;
+  const int trials = main_trials(manifest);
+  const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
+  const int failed = asked.analysis.max_failed_checks;
+  if (checks > failed) return {};
+  FaultList list(manifest.places);
+  const std::string path = "questionnaire.attention.every";
+  if (checks == 0) {
+    list.add(path, fmt::format("a session of {} trials has no attention check", trials),
+             "use a smaller number, or omit it");
+  } else {
+    list.add(path,
+             fmt::format("attention checks exclude nobody: a session of {} trials has {}, and "
+                         "analysis.max_failed_checks allows {} failures",
+                         trials, checks, failed),
+             "use a smaller number, or analysis: {max_failed_checks: 0}");
+  }
+  return list.take();
 }
 
 }  // namespace
+
+int analysed_trials(const Manifest& manifest) {
+  const int own = manifest.questionnaire->per_participant;
+  const int all = static_cast<int>(questionnaire_subjects(manifest).size());
+  return own == 0 ? all : std::min(own, all);
+}
 
 std::vector<Fault> check_shown_videos(const Manifest& manifest) {
   if (!manifest.questionnaire || manifest.questionnaire->view != ShownAs::video) return {};
@@ -47,25 +73,10 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest) {
 }
 
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
-  if (!manifest.questionnaire || manifest.questionnaire->attention_every == 0) return {};
-  const Questionnaire& asked = *manifest.questionnaire;
-  const int trials = main_trials(manifest);
-  const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
-  const int failed = asked.analysis.max_failed_checks;
-  if (checks > failed) return {};
-  FaultList list(manifest.places);
-  const std::string path = "questionnaire.attention.every";
-  if (checks == 0) {
-    list.add(path, fmt::format("a session of {} trials has no attention check", trials),
-             "use a smaller number, or omit it");
-  } else {
-    list.add(path,
-             fmt::format("attention checks exclude nobody: a session of {} trials has {}, and "
-                         "analysis.max_failed_checks allows {} failures",
-                         trials, checks, failed),
-             "use a smaller number, or analysis: {max_failed_checks: 0}");
-  }
-  return list.take();
+  if (!manifest.questionnaire) return {};
+  std::vector<Fault> warnings = attention_warnings(manifest);
+  append(warnings, quality_warnings(manifest));
+  return warnings;
 }
 
 }  // namespace mien::pipeline

@@ -65,6 +65,8 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   out.end_paragraph();
   describe_pictures(out);
   out.end_paragraph();
+  describe_quality_rules(out);
+  out.end_paragraph();
   std::string text = out.text();
   text.pop_back();  // one line end is enough
   return {text, bibtex_of(out.cited())};

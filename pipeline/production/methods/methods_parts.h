@@ -63,6 +63,9 @@ void describe_example_settings(MethodsText& out);
 /// matches, and whether the examples are played beside the task.
 void describe_matching_settings(MethodsText& out);
 
+/// The quality rules by which answers to the questionnaire are flagged.
+void describe_quality_rules(MethodsText& out);
+
 /// The description of an interpolation method and the keys of its references.
 struct MethodWords {
   motion::InterpolationMethod method;

@@ -11,6 +11,7 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/manifest/quality_rules.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/methods/methods_parts.h"
@@ -149,6 +150,12 @@ void describe_matching_settings(MethodsText& out) {
   if (matching.shows_examples)
     out.say(
         "The examples were played beside the matching task, one after another, with their names");
+}
+
+void describe_quality_rules(MethodsText& out) {
+  if (!out.manifest.questionnaire) return;
+  const std::string sentence = quality_sentence(out.manifest.questionnaire->analysis.quality);
+  if (!sentence.empty()) out.say(sentence);
 }
 
 }  // namespace mien::pipeline

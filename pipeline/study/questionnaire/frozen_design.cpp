@@ -13,6 +13,8 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/sha256.h"
 #include "pipeline/base/documents/table.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -76,21 +78,30 @@ constexpr auto scales_columns = table_of<Scale>(
      {"least", "", "value at the low end", [](auto& r) { return r.least; }},
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
+/// The plan as the manifest has it, followed by the quality rules.
+std::string analysis_plan_text(const AnalysisPlan& analysis) {
+  const std::string rules = quality_plan(analysis.quality);
+  const std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
+  if (rules.empty()) return plan;
+  return plan + (plan.ends_with('\n') ? "\n" : "\n\n") + rules;
+}
+
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   const Questionnaire& questionnaire = questionnaire_of(manifest);
   const AnalysisPlan& analysis = questionnaire.analysis;
   const auto longest = std::ranges::max_element(plans, {}, &SessionPlan::expected_seconds);
-  const ordered_json design = {
-      {"format", frozen_format},
-      {"study", manifest.study},
-      {"design", design_hash(manifest, plans)},
-      {"seed", manifest.seed},
-      {"participants", plans.size()},
-      {"expected_minutes", std::round(longest->expected_seconds / 6.0) / 10.0},
-      {"analysis",
-       {{"alpha", analysis.alpha},
-        {"correction", word_of(correction_words, analysis.correction)},
-        {"most_failed", analysis.max_failed_checks}}}};
+  ordered_json design = {{"format", frozen_format},
+                         {"study", manifest.study},
+                         {"design", design_hash(manifest, plans)},
+                         {"seed", manifest.seed},
+                         {"participants", plans.size()},
+                         {"expected_minutes", std::round(longest->expected_seconds / 6.0) / 10.0},
+                         {"analysis",
+                          {{"alpha", analysis.alpha},
+                           {"correction", word_of(correction_words, analysis.correction)},
+                           {"most_failed", analysis.max_failed_checks}}}};
+  if (!has_no_rules(analysis.quality))
+    design["analysis"]["quality"] = written(analysis.quality, {});
   return design.dump(2) + "\n";
 }
 
@@ -140,8 +151,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
   files["scales.csv"] = scales_columns.of(questionnaire_scales(manifest).scales).csv;
-  const std::string& analysis_plan = questionnaire_of(manifest).analysis.plan.text;
-  files["analysis-plan.txt"] = analysis_plan.empty() ? no_analysis_plan : analysis_plan;
+  files["analysis-plan.txt"] = analysis_plan_text(questionnaire_of(manifest).analysis);
   files["inputs.csv"] = inputs_csv(manifest);
   for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
   return files;

@@ -28,7 +28,8 @@ std::vector<ShownMedia> shown_media(const Manifest& manifest);
 ///     plans.csv            every trial of every participant
 ///     balance.csv          counts that show the balance of the plans
 ///     scales.csv           scales, with both ends
-///     analysis-plan.txt    the preregistered analysis plan, as stated in the manifest
+///     analysis-plan.txt    the preregistered analysis plan, as stated in the manifest, and its
+///                          quality rules in words
 ///     stimuli.csv          stimulus, file and SHA-256 of all media
 ///     inputs/…             the manifest and the files of texts, scales, recipes and scenery
 ///                          (`scene:`) that it names

@@ -136,6 +136,23 @@ TEST_F(MethodsSettings, TellTheOrderOfGuessesAndWhatPlayedBeside) {
             std::string::npos);
 }
 
+TEST_F(MethodsSettings, StateTheQualityRulesOfAQuestionnaire) {
+  const auto told = [](const std::string& more) {
+    return methods_for(
+        "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, output: {video: [mp4]}, "
+        "stimuli: [{id: a, weights: {sad: 1}}, {id: b, weights: {happy: 1}}], questionnaire: "
+        "{participants: 2, scales: [sad-happy]" +
+        more + "}}");
+  };
+  const std::string usual = told("");
+  EXPECT_EQ(told(", analysis: {alpha: 0.01, quality: {flagged: kept}}"), usual);
+  EXPECT_EQ(told(", analysis: {quality: {min_rt_ms: 250}}"),
+            usual +
+                "\nBy rules stated before data collection, answers with a response time below "
+                "250 ms were flagged; flagged answers, and all answers of flagged "
+                "participants, were left out of the analysis.\n");
+}
+
 TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {
   StatedSettings settings;
   settings.add("look.camera", {{"lens", {{"new_one", 3}}}}, "a");

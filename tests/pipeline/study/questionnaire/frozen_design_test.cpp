@@ -110,6 +110,23 @@ TEST_F(FrozenDesign, SaysWhereNoAnalysisWasPlanned) {
   EXPECT_TRUE(holds(files.at("analysis-plan.txt"), "No analysis plan"));
 }
 
+TEST_F(FrozenDesign, StatesTheQualityRulesAndWhereTheyDiffer) {
+  const ZipFiles before = files();
+  EXPECT_FALSE(holds(before.at("design.json"), "quality"));
+  manifest_.questionnaire->analysis.quality.max_longstring = 12;
+  const ZipFiles after = files();
+  EXPECT_TRUE(
+      after.at("analysis-plan.txt")
+          .starts_with("two t tests\n\nQuality rules, stated before the data are collected"));
+  EXPECT_TRUE(holds(after.at("design.json"), "\"quality\": {\n      \"max_longstring\": 12\n"));
+  write_file(bundle_, zip_of(after));
+  EXPECT_EQ(differences(manifest_, made_), "");
+  Manifest looser = manifest_;
+  looser.questionnaire->analysis.quality.max_longstring = 13;
+  EXPECT_TRUE(holds(differences(looser, made_), "analysis: the plan differs"));
+  EXPECT_TRUE(holds(differences(looser, made_), "\"max_longstring\":12"));
+}
+
 TEST_F(FrozenDesign, NeedsTheStudyToBeMade) {
   fs::remove(made_ / "videos/c3.mp4");
   EXPECT_THROW(files(), Error);
