@@ -117,18 +117,35 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   return verdict;
 }
 
+/// A sentence for each participant who is excluded, or flagged by quality rules.
+std::vector<std::string> excluded_sentences(const Results& results) {
+  if (!results.rule_counts.empty()) return flagged_sentences(results.answer_set);
+  std::vector<std::string> sentences;
+  for (const Attention& own : results.answer_set.attention)
+    if (own.is_excluded)
+      sentences.push_back(
+          fmt::format("participant {} is excluded: {} of {} attention checks passed",
+                      motion::in_quotes(own.participant), own.passed, own.checks));
+  return sentences;
+}
+
 void print_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
                    const Console& console) {
   const AnswerSet& answer_set = results.answer_set;
   for (const std::string& note : answer_set.notes) console.err << note << '\n';
-  for (const Attention& own : answer_set.attention)
-    if (own.is_excluded)
-      console.err << fmt::format("participant {} is excluded: {} of {} attention checks passed\n",
-                                 motion::in_quotes(own.participant), own.passed, own.checks);
+  for (const std::string& sentence : excluded_sentences(results)) console.err << sentence << '\n';
   if (answer_set.simulated) console.out << "simulated answers\n";
   for (const std::string& sentence : unfinished_sentences(answer_set))
     console.err << sentence << '\n';
   console.out << people_sentence(answer_set) << '\n';
+  if (!results.rule_counts.empty()) {
+    const RuleCount& all = results.rule_counts.back();
+    console.out << fmt::format(
+        "quality rules flag {} of {}: {}\n",
+        counted_noun(static_cast<std::size_t>(all.answers), "answer", "answers"),
+        counted_noun(static_cast<std::size_t>(all.participants), "participant", "participants"),
+        all.is_excluded ? "excluded" : "included");
+  }
   if (!frozen.sentence.empty()) console.out << frozen.sentence << '\n';
   for (const std::string& difference : frozen.differences)
     console.out << "  " << difference << '\n';
@@ -169,6 +186,16 @@ void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& r
                         answer_set.design, now));
 }
 
+/// Which sessions are of the same person, if a quality rule asks for it.
+SessionPeople people_of_sessions(const ReportInputs& inputs, const Manifest& manifest) {
+  const std::string& parameter = questionnaire_of(manifest).analysis.quality.repeated_by;
+  if (parameter.empty()) return {};
+  std::vector<CsvTable> answers, participants;
+  for (const fs::path& file : inputs.answers) answers.push_back(read_csv(file));
+  for (const fs::path& file : inputs.participants) participants.push_back(read_csv(file));
+  return session_people(answers, participants, parameter);
+}
+
 /// Number of trials of each session plan.
 std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
   std::map<std::uint64_t, int> planned;
@@ -197,7 +224,9 @@ int report(const ReportCommand& options, const Console& console) {
   std::vector<ParticipantTable> tables;
   for (const fs::path& file : inputs.participants) tables.push_back(read_participants(file));
   ParticipantTable people = joined(tables);
-  AnswerSet answer_set = collect_answers(manifest, rows, choices_of(options, manifest, people));
+  ReportChoices choices = choices_of(options, manifest, people);
+  choices.session_people = people_of_sessions(inputs, manifest);
+  AnswerSet answer_set = collect_answers(manifest, rows, choices);
   answer_set.notes.insert(answer_set.notes.begin(), answers.notes.begin(), answers.notes.end());
   note_other_design(manifest, rows, answer_set);
   const FrozenVerdict frozen = verdict_on(options, manifest, rows);

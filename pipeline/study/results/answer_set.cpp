@@ -53,8 +53,8 @@ std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
 /// Validates rows and collects their faults.
 class AnswerCollector {
  public:
-  AnswerCollector(const Manifest& manifest, AnswerSet& result)
-      : questionnaire_(questionnaire_of(manifest)), result_(result) {
+  AnswerCollector(const Manifest& manifest, const std::vector<AnswerRow>& rows, AnswerSet& result)
+      : questionnaire_(questionnaire_of(manifest)), rows_(rows), result_(result) {
     for (std::size_t i = 0; i < result.stimuli.size(); ++i) {
       stimuli_.emplace(result.stimuli[i].id, i);
       stimulus_ids_.push_back(result.stimuli[i].id);
@@ -66,6 +66,13 @@ class AnswerCollector {
     for (std::size_t i = 0; i < result.people.size(); ++i) people_.emplace(result.people[i], i);
   }
 
+  void check_and_add_all() {
+    for (const AnswerRow& row : rows_) check_and_add(row);
+  }
+
+  std::vector<Fault> faults;
+
+ private:
   void check_and_add(const AnswerRow& row) {
     if (row.kind == attention_kind) return;
     const auto stimulus = known_stimulus(row, row.stimulus);
@@ -81,9 +88,6 @@ class AnswerCollector {
       result_.remarks.push_back({row.participant, row.stimulus, "", row.comment});
   }
 
-  std::vector<Fault> faults;
-
- private:
   void fault(const AnswerRow& row, std::string wrong, std::string remedy) {
     faults.push_back({row.place, "", std::move(wrong), std::move(remedy)});
   }
@@ -110,7 +114,8 @@ class AnswerCollector {
   }
 
   bool counts(const AnswerRow& row) const {
-    return row.counts() && people_.contains(row.participant);
+    return row.counts() && people_.contains(row.participant) &&
+           !result_.quality.leaves_out(static_cast<std::size_t>(&row - rows_.data()));
   }
 
   std::optional<std::size_t> known_scale(const AnswerRow& row) {
@@ -187,6 +192,7 @@ class AnswerCollector {
   }
 
   const Questionnaire& questionnaire_;
+  const std::vector<AnswerRow>& rows_;
   AnswerSet& result_;
   std::map<std::string, std::size_t> stimuli_, scales_, people_;
   std::vector<std::string> stimulus_ids_, items_;
@@ -231,9 +237,27 @@ std::vector<std::string> included_people(const AnswerSet& answer_set) {
   if (answer_set.without_unfinished)
     for (const Unfinished& one : answer_set.unfinished) left_out.insert(one.participant);
   for (const Attention& own : answer_set.attention)
-    if (!own.is_excluded && !left_out.contains(own.participant)) people.push_back(own.participant);
+    if (!left_out.contains(own.participant) && !answer_set.quality.leaves_out(own.participant))
+      people.push_back(own.participant);
   std::ranges::sort(people);
   return people;
+}
+
+/// The flags of rows that have been separated by participants; `sessions` are those before.
+QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>& rows,
+                       const std::vector<SessionStart>& sessions, const ReportChoices& choices,
+                       AnswerSet& result) {
+  QualityFlags flags = quality_flags(asked, rows);
+  add_failed_attention(result.attention, result.rule, flags);
+  const std::string& parameter = asked.analysis.quality.repeated_by;
+  if (parameter.empty()) return flags;
+  if (!choices.session_people.is_known)
+    result.notes.push_back("Repeated participation was not examined: no table has the column " +
+                           parameter_column(parameter) + ".");
+  for (const auto& [participant, reason] :
+       repeated_participants(sessions, rows, choices.session_people))
+    flags.participants[participant].push_back({QualityRule::repeated_by, reason});
+  return flags;
 }
 
 }  // namespace
@@ -257,23 +281,25 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
       choices.max_failed_checks.value_or(asked.analysis.max_failed_checks);
   result.correction = choices.correction.value_or(asked.analysis.correction);
   result.alpha = asked.analysis.alpha;
+  const std::vector<SessionStart> sessions = session_starts(rows);
   result.notes = separate_participants(rows);
   result.simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
   result.attention = attention_of(rows, result.rule);
+  result.quality = all_flags(asked, rows, sessions, choices, result);
   result.unfinished = unfinished_of(rows, choices);
   result.without_unfinished = choices.without_unfinished;
   for (const Demographic& question : asked.demographics)
     if (!question.answer.is_number) result.worded_questions.insert(question.id);
   result.people = included_people(result);
-  AnswerCollector sorter(manifest, result);
+  AnswerCollector sorter(manifest, rows, result);
   check_designs(rows, result, sorter.faults);
-  for (const AnswerRow& row : rows) sorter.check_and_add(row);
+  sorter.check_and_add_all();
   if (!sorter.faults.empty()) throw Faults(sorter.faults);
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
       result.words.empty())
     throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers to analyse",
-                "answers to practice, warm-up and check trials and those of excluded participants "
-                "are ignored");
+                "answers to practice, warm-up and check trials, those of excluded participants and "
+                "those that quality rules exclude are ignored");
   return result;
 }
 

@@ -13,6 +13,8 @@
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
+#include "pipeline/study/results/quality_flags.h"
+#include "pipeline/study/results/repeated_participation.h"
 
 namespace mien::pipeline {
 
@@ -71,6 +73,7 @@ struct ReportChoices {
       planned;  ///< planned number of trials of a session, by the seed of its plan
   std::set<std::string> finished;   ///< participants who finished, according to their tables
   bool without_unfinished = false;  ///< exclude participants who did not finish
+  SessionPeople session_people;     ///< for the quality rule repeated_by
 };
 
 /// A participant who answered fewer trials than planned and is not among `finished`
@@ -98,6 +101,7 @@ struct AnswerSet {
   std::vector<Remark> words;         ///< answers to scales answered in words
   std::vector<Attention> attention;  ///< results of attention checks, of all participants
   AttentionRule rule;
+  QualityFlags quality;  ///< flags of answers, by index of the rows as read, and of participants
   std::vector<Unfinished> unfinished;
   bool without_unfinished = false;
   std::set<std::string>
@@ -105,12 +109,15 @@ struct AnswerSet {
   TestCorrection correction = TestCorrection::holm;
   double alpha = 0.05;  ///< significance level
   bool simulated = false;
-  std::string design;              ///< design hash of the answers; may be empty
-  std::vector<std::string> notes;  ///< a sentence for each participant id that was split, because
-                                   ///< several sessions used it (separate_participants)
+  std::string design;  ///< design hash of the answers; may be empty
+  /// A sentence for each participant id that was split, because several sessions used it
+  /// (separate_participants), and about a quality rule that could not be applied.
+  std::vector<std::string> notes;
 };
 
-/// Validates answers against the manifest's questionnaire and collects them for analysis.
+/// Validates answers against the manifest's questionnaire and collects them for analysis. Answers
+/// that its quality rules leave out, and those of participants who are left out, are validated but
+/// not collected.
 ///
 /// Throws Faults with all faults: stimuli and items not in the questionnaire, answers of another
 /// kind of trial, values that are out of range or contradict the raw answer, choices that were not

@@ -10,6 +10,8 @@ using RetestSummaryRow = ResultRow<RetestSummary>;
 using DemographicRow = ResultRow<DemographicSummary>;
 using RemarkRow = ResultRow<Remark>;
 using WordRow = ResultRow<WordFrequency>;
+using RuleRow = ResultRow<RuleCount>;
+using FlagRow = ResultRow<ListedFlag>;
 
 constexpr SharedColumn named_stimulus_column = {"stimulus", "", "stimulus id",
                                                 [](auto& r) { return r.of.stimulus; }};
@@ -19,26 +21,69 @@ constexpr SharedColumn excluded_column = {"excluded", "",
                                           "1 for participants excluded by the report's rule",
                                           [](auto& r) { return r.of.is_excluded; }};
 
-constexpr auto session_columns = result_table<SessionRow>(
-    "results/sessions.csv", "participant",
-    {{"participant", "", "participant id", [](auto& r) { return r.of.participant; }},
-     {"trials", "", "trials completed, including practice and checks",
-      [](auto& r) { return r.of.trials; }},
-     {"answers", "", "answers analysed, unless the participant is excluded",
+constexpr ResultColumn<SessionRow> session_list[] = {
+    {"participant", "", "participant id", [](auto& r) { return r.of.participant; }},
+    {"trials", "", "trials completed, including practice and checks",
+     [](auto& r) { return r.of.trials; }},
+    {"answers", "", "answers analysed, unless the participant is excluded",
+     [](auto& r) { return r.of.answers; }},
+    {"checks", "", "attention checks", [](auto& r) { return r.of.checks; }},
+    {"passed", "", "attention checks passed", [](auto& r) { return r.of.passed; }},
+    excluded_column,
+    {"median_rt_ms", "ms", "median response time of the answers analysed",
+     [](auto& r) { return r.of.median_rt_ms; }},
+    {"stalls", "", "buffering interruptions", [](auto& r) { return r.of.stalls; }},
+    {"dropped_frames", "", "dropped video frames", [](auto& r) { return r.of.dropped_frames; }},
+    {"blurs", "", "tab switches", [](auto& r) { return r.of.blurs; }},
+    {"constant", "",
+     "1 for straight-lining: three or more answers, all at the same position; included",
+     [](auto& r) { return r.of.is_straight_lining; }},
+    {"unfinished", "", "1 if the participant answered fewer trials than planned",
+     [](auto& r) { return r.of.is_unfinished; }}};
+
+constexpr auto session_columns =
+    result_table<SessionRow>("results/sessions.csv", "participant", session_list);
+
+/// For questionnaires with quality rules.
+constexpr auto flagged_session_columns = result_table<SessionRow>(
+    "results/sessions.csv", "participant", session_list,
+    std::to_array<ResultColumn<SessionRow>>(
+        {{"flagged_answers", "",
+          "answers that quality rules flag, whether or not they are analysed",
+          [](auto& r) { return r.of.flagged_answers; }},
+         {"reasons", "", "reasons for which quality rules flag the participant; empty: none",
+          [](auto& r) { return r.of.reasons; }}}));
+
+constexpr auto rule_columns = result_table<RuleRow>(
+    "results/quality_rules.csv", "quality rule, and of all rules together",
+    {{"rule", "", "key of the rule in the manifest; empty: all rules together",
+      [](auto& r) { return r.of.rule; }},
+     {"bound", "", "its value", [](auto& r) { return r.of.bound; }},
+     {"flags", "", "what it flags", [](auto& r) { return r.of.words; }},
+     {"participants", "", "participants who are flagged, or some of whose answers are",
+      [](auto& r) { return r.of.participants; }},
+     {"answers", "",
+      "answers that are flagged, or whose participant is; without practice, warm-up, attention "
+      "checks and repeated stimuli",
       [](auto& r) { return r.of.answers; }},
-     {"checks", "", "attention checks", [](auto& r) { return r.of.checks; }},
-     {"passed", "", "attention checks passed", [](auto& r) { return r.of.passed; }},
-     excluded_column,
-     {"median_rt_ms", "ms", "median response time of the answers analysed",
-      [](auto& r) { return r.of.median_rt_ms; }},
-     {"stalls", "", "buffering interruptions", [](auto& r) { return r.of.stalls; }},
-     {"dropped_frames", "", "dropped video frames", [](auto& r) { return r.of.dropped_frames; }},
-     {"blurs", "", "tab switches", [](auto& r) { return r.of.blurs; }},
-     {"constant", "",
-      "1 for straight-lining: three or more answers, all at the same position; included",
-      [](auto& r) { return r.of.is_straight_lining; }},
-     {"unfinished", "", "1 if the participant answered fewer trials than planned",
-      [](auto& r) { return r.of.is_unfinished; }}});
+     {"excluded", "", "1 if the report leaves out what the rule flags",
+      [](auto& r) { return r.of.is_excluded; }}});
+
+constexpr auto flag_columns = result_table<FlagRow>(
+    "results/quality_flags.csv", "flagged answer or participant, and rule",
+    {{"participant", "", "participant id", [](auto& r) { return r.of.participant; }},
+     {"trial", "", "trial of the flagged answer; empty: the participant is flagged",
+      [](auto& r) { return r.of.trial == 0 ? std::string() : std::to_string(r.of.trial); }},
+     named_stimulus_column,
+     {"against", "", "the other stimulus of a pair, or the reference shown beside it",
+      [](auto& r) { return r.of.against; }},
+     item_column,
+     {"rule", "", "key of the rule in the manifest",
+      [](auto& r) { return word_of(quality_rule_words, r.of.flag.rule); }},
+     {"reason", "", "reason, with the number that breaks the rule",
+      [](auto& r) { return r.of.flag.reason; }},
+     {"excluded", "", "1 if the report leaves out the answer or participant for it",
+      [](auto& r) { return r.of.is_excluded; }}});
 
 constexpr auto demographics_columns = result_table<DemographicRow>(
     "results/demographics.csv", "question and answer",
@@ -121,7 +166,12 @@ constexpr auto word_count_columns = result_table<WordRow>(
 
 void add_participants(const Results& results, std::vector<WrittenTable>& tables) {
   const AnswerSet& answer_set = results.answer_set;
-  add_results(session_columns, results.participants, answer_set, tables);
+  if (results.rule_counts.empty())
+    add_results(session_columns, results.participants, answer_set, tables);
+  else
+    add_results(flagged_session_columns, results.participants, answer_set, tables);
+  add_results(rule_columns, results.rule_counts, answer_set, tables);
+  add_results(flag_columns, results.quality_flags, answer_set, tables);
   add_results(demographics_columns, demographics_of(results.demographics, answer_set), answer_set,
               tables);
   add_results(retest_columns, results.retest_answers, answer_set, tables);

@@ -14,13 +14,17 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Sums measurements that are repeated in each row of a trial, once for each trial.
-void add_trials(ParticipantSummary& summary, const std::vector<const AnswerRow*>& rows) {
+/// Sums measurements that are repeated in each row of a trial, once for each trial. `own` are
+/// indices of `rows`.
+void add_trials(ParticipantSummary& summary, const std::vector<AnswerRow>& rows,
+                const std::vector<std::size_t>& own, const QualityFlags& quality) {
   std::set<std::pair<std::string, int>> met;
   std::set<std::string> values;
   std::vector<double> times;
-  for (const AnswerRow* row : rows) {
-    if (row->counts()) {
+  for (const std::size_t index : own) {
+    const AnswerRow* row = &rows[index];
+    summary.flagged_answers += quality.of_answer(index).empty() ? 0 : 1;
+    if (row->counts() && !quality.leaves_out(index)) {
       ++summary.answers;
       values.insert(row->value_raw);
       if (row->rt_ms) times.push_back(*row->rt_ms);
@@ -51,8 +55,8 @@ void add_numbers(const std::string& question, const std::vector<double>& numbers
 std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_set,
                                                       std::vector<AnswerRow> rows) {
   separate_participants(rows);
-  std::map<std::string, std::vector<const AnswerRow*>> of_person;
-  for (const AnswerRow& row : rows) of_person[row.participant].push_back(&row);
+  std::map<std::string, std::vector<std::size_t>> of_person;
+  for (std::size_t i = 0; i < rows.size(); ++i) of_person[rows[i].participant].push_back(i);
   std::set<std::string> unfinished;
   for (const Unfinished& one : answer_set.unfinished) unfinished.insert(one.participant);
   std::vector<ParticipantSummary> all;
@@ -63,7 +67,8 @@ std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_se
     summary.passed = own.passed;
     summary.is_excluded = !std::ranges::binary_search(answer_set.people, own.participant);
     summary.is_unfinished = unfinished.contains(own.participant);
-    add_trials(summary, of_person.at(own.participant));
+    summary.reasons = reasons_text(answer_set.quality.of_participant(own.participant));
+    add_trials(summary, rows, of_person.at(own.participant), answer_set.quality);
     all.push_back(summary);
   }
   std::ranges::sort(all, {}, &ParticipantSummary::participant);

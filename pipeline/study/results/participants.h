@@ -15,9 +15,11 @@ struct ParticipantSummary {
   std::string participant;
   int trials = 0;  ///< number of answered trials, including practice, warm-up and checks
   bool is_unfinished = false;
-  int answers = 0;  ///< number of answers to analysed trials, also if the participant is excluded
-  int checks = 0;   ///< number of attention checks
-  int passed = 0;   ///< number of passed checks
+  /// Number of answers to analysed trials, also if the participant is excluded, without those that
+  /// quality rules leave out.
+  int answers = 0;
+  int checks = 0;  ///< number of attention checks
+  int passed = 0;  ///< number of passed checks
   bool is_excluded = false;
   double median_rt_ms = 0.0;  ///< median response time of `answers`, ms; NaN if not measured
   int stalls = 0;             ///< buffering interruptions of videos
@@ -26,6 +28,8 @@ struct ParticipantSummary {
   /// There are at least three `answers`, and all their raw values are equal; this is reported, but
   /// is not a reason for exclusion.
   bool is_straight_lining = false;
+  int flagged_answers = 0;  ///< number of answers that quality rules flag, included or not
+  std::string reasons;      ///< for which quality rules flag the participant; or empty
 };
 
 /// Summaries of all participants, sorted by name.

@@ -9,6 +9,7 @@
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/participants.h"
+#include "pipeline/study/results/quality_lists.h"
 #include "pipeline/study/results/retest.h"
 #include "pipeline/study/results/summaries.h"
 #include "pipeline/study/results/word_frequencies.h"
@@ -29,6 +30,8 @@ struct Results {
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
   std::vector<RetestSummary> retest_summaries;
+  std::vector<RuleCount> rule_counts;  ///< empty without quality rules, like the flags
+  std::vector<ListedFlag> quality_flags;
   std::vector<GroupComparison> groups;  ///< comparisons of groups by demographic answers
   ParticipantTable demographics;        ///< empty if no table of participants was given
 };
@@ -49,6 +52,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.participants = participant_summaries(results.answer_set, rows);
   results.retest_answers = retest_answers_of(results.answer_set, rows);
   results.retest_summaries = retest_summaries_of(results.retest_answers);
+  results.rule_counts = rule_counts(results.answer_set, rows);
+  results.quality_flags = listed_flags(results.answer_set, rows);
   results.groups = compare_groups(demographics, results.answer_set);
   results.demographics = std::move(demographics);
   return results;

@@ -76,8 +76,9 @@ std::vector<RetestAnswer> retest_answers_of(const AnswerSet& answer_set,
                                             std::vector<AnswerRow> rows) {
   separate_participants(rows);
   std::map<RetestKey, const AnswerRow*> first;
-  for (const AnswerRow& row : rows)
-    if (row.counts()) first.emplace(retest_key(row), &row);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].counts() && !answer_set.quality.leaves_out(i))
+      first.emplace(retest_key(rows[i]), &rows[i]);
   std::vector<RetestAnswer> answers;
   for (const AnswerRow& row : rows) {
     if (!is_shown_again(row) || !is_answered(row)) continue;

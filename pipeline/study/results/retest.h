@@ -40,7 +40,7 @@ struct RetestSummary {
 };
 
 /// All repeated answers, sorted by participant, then in the order of the second answers. Questions
-/// not answered both times are omitted.
+/// not answered both times, or whose first answer quality rules leave out, are omitted.
 std::vector<RetestAnswer> retest_answers_of(const AnswerSet& answer_set,
                                             std::vector<AnswerRow> rows);
 

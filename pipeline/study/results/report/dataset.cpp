@@ -1,9 +1,11 @@
 #include "pipeline/study/results/report/dataset.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <set>
+#include <span>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,20 @@ using nlohmann::ordered_json;
 
 constexpr Column excluded_column = {"excluded", "",
                                     "1 for answers of participants excluded from the report"};
+
+/// The same, and flags, for questionnaires with quality rules.
+constexpr std::array<Column, 3> quality_columns = {
+    {{"excluded", "",
+      "1 for answers excluded from the report, alone or because the participant is excluded"},
+     {"answer_flags", "", "reasons for which quality rules flag the answer; empty: none"},
+     {"participant_flags", "",
+      "reasons for which quality rules flag the participant; empty: none"}}};
+
+/// The columns that the report adds to the answers.
+std::span<const Column> added_columns(const AnswerSet& answer_set) {
+  if (has_no_rules(answer_set.quality.rules)) return {&excluded_column, 1};
+  return quality_columns;
+}
 
 constexpr Column simulated_column = {"simulated", "", "1 for simulated participants"};
 
@@ -44,13 +60,19 @@ std::string alphanumeric(const std::string& text) {
 std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
   separate_participants(rows);
   const std::vector<std::string>& people = results.answer_set.people;
+  const QualityFlags& quality = results.answer_set.quality;
   std::vector<std::string> header = header_of(answer_form);
-  header.emplace_back(excluded_column.name);
+  for (const Column& column : added_columns(results.answer_set)) header.emplace_back(column.name);
   CsvWriter writer(header);
-  for (const AnswerRow& row : rows) {
-    std::vector<std::string> fields = fields_of_row(row);
-    const bool counts = std::ranges::binary_search(people, row.participant);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<std::string> fields = fields_of_row(rows[i]);
+    const std::string& participant = rows[i].participant;
+    const bool counts = std::ranges::binary_search(people, participant) && !quality.leaves_out(i);
     fields.emplace_back(counts ? "0" : "1");
+    if (!has_no_rules(quality.rules)) {
+      fields.push_back(reasons_text(quality.of_answer(i)));
+      fields.push_back(reasons_text(quality.of_participant(participant)));
+    }
     writer.row(fields);
   }
   return writer.text();
@@ -122,7 +144,7 @@ class Variables {
 Variables variables_of(const Results& results) {
   Variables variables;
   for (const Column& column : answer_form.columns) variables.add(column);
-  variables.add(excluded_column);
+  for (const Column& column : added_columns(results.answer_set)) variables.add(column);
   for (const Column& column : stimulus_columns.columns) variables.add(column);
   for (const std::string& factor : further_factors(results.answer_set))
     variables.add(factor, "level of the factor " + factor + " of the stimulus");
@@ -161,7 +183,7 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
     std::ranges::move(described(form, path), std::back_inserter(book));
   };
   add(answer_form, paths.answers);
-  add({paths.answers, answer_form.rows, {&excluded_column, 1}}, paths.answers);
+  add({paths.answers, answer_form.rows, added_columns(results.answer_set)}, paths.answers);
   add(stimulus_columns.form(), paths.stimuli);
   for (const std::string& factor : further_factors(results.answer_set))
     book.push_back({paths.stimuli, "stimulus", factor, "", "level of the factor " + factor});

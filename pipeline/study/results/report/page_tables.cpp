@@ -49,13 +49,32 @@ std::string comparison_html(const AnswerSet& answer_set, const Comparison& c) {
       .html(c.paired_adjusted < answer_set.alpha);
 }
 
-/// Notes on a session: excluded, unfinished, straight-lining.
+/// What quality rules flag: "excluded: longest run of equal answers 14 > 12; 3 answers flagged".
+std::string flags_of(const ParticipantSummary& p, const QualityFlags& quality) {
+  std::string flags = p.is_excluded ? "excluded" : "";
+  if (quality.leaves_out(p.participant))
+    flags += ": " + p.reasons;
+  else if (!p.reasons.empty())
+    flags += (p.is_excluded ? "; flagged: " : "included; flagged: ") + p.reasons;
+  if (p.flagged_answers > 0)
+    flags += (flags.empty() ? "" : "; ") +
+             counted_noun(static_cast<std::size_t>(p.flagged_answers), "answer", "answers") +
+             " flagged";
+  return flags;
+}
+
+/// Notes on a session: excluded, unfinished, straight-lining, flags.
 std::string state_of(const ParticipantSummary& p, const AnswerSet& answer_set) {
   const bool is_too_short = p.is_unfinished && answer_set.without_unfinished;
   std::string state;
   if (p.is_unfinished) state = "not finished";
-  if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("excluded");
-  if (p.is_excluded && !is_too_short) state += ": attention checks";
+  if (!has_no_rules(answer_set.quality.rules)) {
+    const std::string flags = flags_of(p, answer_set.quality);
+    state += (state.empty() || flags.empty() ? "" : ", ") + flags;
+  } else {
+    if (p.is_excluded) state += (state.empty() ? "" : ", ") + std::string("excluded");
+    if (p.is_excluded && !is_too_short) state += ": attention checks";
+  }
   if (p.is_straight_lining && !p.is_excluded)
     state += std::string(state.empty() ? "" : "; ") + "included; straight-lining";
   return state;

@@ -9,6 +9,10 @@ namespace mien::pipeline {
 // The tables of the page of results as HTML. Each is empty if it has no rows.
 
 std::string sessions_html(const Results& results);
+/// The quality rules with what they flagged, and all flags. Empty without quality rules.
+std::string quality_html(const Results& results);
+/// Lists of flagged participants with the reasons, who are excluded or included.
+std::string flagged_people_html(const Results& results);
 /// Summary of repeated trials, and all answers to them.
 std::string retest_summary_html(const Results& results);
 std::string retest_answers_html(const Results& results);

@@ -104,18 +104,20 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   return html;
 }
 
+/// The list of participants who failed attention checks.
+std::string inattentive_html(const AnswerSet& answer_set) {
+  std::vector<std::string> names;
+  for (const Attention& own : answer_set.attention)
+    if (own.is_excluded)
+      names.push_back(
+          fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
+  return names.empty() ? "" : paragraph("Excluded:") + html_list("", names);
+}
+
 std::string people_html(const Results& results) {
   const AnswerSet& answer_set = results.answer_set;
-  const auto excluded = std::ranges::count_if(answer_set.attention, &Attention::is_excluded);
   std::string html = paragraph(people_sentence(answer_set) + ". " + to_sentence(answer_set.rule));
-  if (excluded > 0) {
-    std::vector<std::string> names;
-    for (const Attention& own : answer_set.attention)
-      if (own.is_excluded)
-        names.push_back(
-            fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
-    html += paragraph("Excluded:") + html_list("", names);
-  }
+  html += results.rule_counts.empty() ? inattentive_html(answer_set) : flagged_people_html(results);
   html += html_list("", unfinished_sentences(answer_set)) + html_list("", answer_set.notes);
   html += part("Demographics", demographics_html(results));
   html += "<details><summary>All sessions</summary>\n" + sessions_html(results) + "</details>\n";
@@ -345,6 +347,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
                          const std::vector<WrittenTable>& tables, const FrozenVerdict& frozen) {
   PageParts parts(results, figures);
   parts.section("people", "Participants", people_html(results));
+  parts.section("quality", "Quality rules", quality_html(results));
   parts.section("means", "Means", parts.figures("means"));
   parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
   parts.section("best", "Highest-rated videos", best_html(results, parts));
