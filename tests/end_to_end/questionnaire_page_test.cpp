@@ -219,6 +219,8 @@ TEST_F(QuestionnairePage, RunsOnJatos) {
     EXPECT_EQ(row.at("jatos_batch"), "3");
     EXPECT_EQ(row.at("jatos_result"), "12");
   }
+  EXPECT_EQ(run.at("withdrawn").at("aborted"), true);
+  EXPECT_FALSE(run.at("withdrawn").contains("result"));
   // JATOS leads to the study's own End Redirect URL, once the participant has read the last page.
   EXPECT_EQ(run.at("ended_before_it_was_read"), false);
   EXPECT_FALSE(rows_in(run.at("answers").get<std::string>()).empty());

@@ -213,9 +213,17 @@ TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
   EXPECT_EQ(nobody.code, 2);
   EXPECT_NE(nobody.errors.find("is in none of these files"), std::string::npos) << nobody.errors;
   EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"), table);
+  const std::string shared = "participant,session,value\np005,aa,1\np005,bb,2\n";
+  folder.write("exported/more.csv", shared);
+  const Ended several = withdraw("p005");
+  EXPECT_EQ(several.code, 2);
+  EXPECT_NE(several.errors.find("2 browser sessions"), std::string::npos) << several.errors;
+  EXPECT_EQ(text_of(folder.path() / "exported/more.csv"), shared);
+  EXPECT_EQ(withdraw("bb").code, 0);
+  EXPECT_EQ(text_of(folder.path() / "exported/more.csv"), "participant,session,value\np005,aa,1\n");
   const Ended done = withdraw("p001");
   EXPECT_EQ(done.code, 0) << done.errors;
-  EXPECT_NE(done.output.find("answers.csv: 1 rows deleted"), std::string::npos) << done.output;
+  EXPECT_NE(done.output.find("answers.csv: 1 row deleted"), std::string::npos) << done.output;
   EXPECT_NE(done.output.find("records deleted; the session is counted as withdrawn"),
             std::string::npos);
   EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"),

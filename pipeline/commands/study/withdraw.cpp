@@ -1,10 +1,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
@@ -62,6 +64,22 @@ std::vector<FileWithout> files_with(const std::vector<fs::path>& files,
   return changed;
 }
 
+/// Refuses an id that several people have, which happens without a server.
+void refuse_shared_id(const std::vector<FileWithout>& changed, const WithdrawnParticipant& who) {
+  std::set<std::string> sessions;
+  for (const FileWithout& one : changed) sessions.insert(one.sessions.begin(), one.sessions.end());
+  if (who.session.empty() && sessions.size() > 1 && !sessions.contains(who.name))
+    throw Error(
+        {},
+        fmt::format("{} are {} browser sessions, perhaps of different people: {}",
+                    motion::in_quotes(who.name), sessions.size(), fmt::join(sessions, ", ")),
+        "give the code that the participant's last page showed");
+}
+
+std::string counted(int number, const char* one, const char* more) {
+  return fmt::format("{} {}", number, number == 1 ? one : more);
+}
+
 /// Everything is read before anything is changed.
 int withdraw(const WithdrawOptions& options, const Console& console) {
   const std::vector<fs::path> files =
@@ -72,21 +90,24 @@ int withdraw(const WithdrawOptions& options, const Console& console) {
   if (stores.empty() && changed.empty())
     throw Error({}, motion::in_quotes(options.participant) + " is in none of these files",
                 "give the participant's id, or the code that the last page showed");
+  refuse_shared_id(changed, who);
   for (const FileWithout& one : changed) {
     if (one.is_removed) {
       fs::remove(one.file);
       console.out << fmt::format("{}: deleted\n", one.file.string());
     } else {
       write_file(one.file, one.text);
-      console.out << fmt::format("{}: {} {} deleted\n", one.file.string(), one.removed,
-                                 one.file.extension() == ".csv" ? "rows" : "session");
+      const bool is_table = one.file.extension() == ".csv";
+      console.out << fmt::format("{}: {} deleted\n", one.file.string(),
+                                 is_table ? counted(one.removed, "row", "rows")
+                                          : counted(one.removed, "session", "sessions"));
     }
   }
   for (const StoreWithSession& one : stores) {
     const int erased = one.store->erase_records(
         one.session, std::string(word_of(session_end_words, SessionEnd::withdrawn)));
-    console.out << fmt::format("{}: {} records deleted; the session is counted as withdrawn\n",
-                               one.store->file().string(), erased);
+    console.out << fmt::format("{}: {} deleted; the session is counted as withdrawn\n",
+                               one.store->file().string(), counted(erased, "record", "records"));
   }
   return exit_done;
 }

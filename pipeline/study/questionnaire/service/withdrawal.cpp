@@ -48,8 +48,9 @@ std::optional<FileWithout> table_without(const fs::path& file, std::string_view 
     bool is_removed = false;
     if (!is_empty_line(line) && !std::exchange(is_header, false)) {
       const std::vector<CsvField>& fields = table.rows.at(row++);
-      is_removed = who.is_row(fields[static_cast<std::size_t>(participant)].text,
-                              fields[static_cast<std::size_t>(session)].text);
+      const std::string& row_session = fields[static_cast<std::size_t>(session)].text;
+      is_removed = who.is_row(fields[static_cast<std::size_t>(participant)].text, row_session);
+      if (is_removed) without.sessions.insert(row_session);
     }
     if (is_removed)
       ++without.removed;
@@ -80,6 +81,7 @@ std::optional<FileWithout> records_without(const fs::path& file, const std::stri
   if (records.contains("participant") && records.contains("records") && records.contains("name")) {
     without.is_removed = who.is_row(text_in(records, "participant"), text_in(records, "name"));
     without.removed = without.is_removed ? 1 : 0;
+    if (without.is_removed) without.sessions.insert(text_in(records, "name"));
     return without;
   }
   if (text_in(records, "format") != "mien-answers-1" || !records["sessions"].is_array())
@@ -89,10 +91,12 @@ std::optional<FileWithout> records_without(const fs::path& file, const std::stri
     const std::string browser = browser_of(session);
     const bool is_removed =
         !browser.empty() && who.is_row(text_in(session, "participant"), browser);
-    if (is_removed)
+    if (is_removed) {
       ++without.removed;
-    else
+      without.sessions.insert(browser);
+    } else {
       kept.push_back(std::move(session));
+    }
   }
   records["sessions"] = std::move(kept);
   without.text = records.dump(1) + "\n";

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +34,10 @@ std::string browser_of(SessionStore& store, int session);
 /// A file without the participant.
 struct FileWithout {
   std::filesystem::path file;
-  std::string text;         ///< its new content
-  int removed = 0;          ///< number of removed rows or, in records, of sessions
-  bool is_removed = false;  ///< the whole file is of this participant
+  std::string text;                ///< its new content
+  std::set<std::string> sessions;  ///< browser sessions of what is removed
+  int removed = 0;                 ///< number of removed rows or, in records, of sessions
+  bool is_removed = false;         ///< the whole file is of this participant
 };
 
 /// A table (CSV) with the columns participant and session, or records of participants (JSON: the

@@ -21,7 +21,8 @@ interface Jatos {
   endStudyAndRedirect?(address: string): Promise<unknown>;
   /** Deletes all result data of this run. */
   abortStudyWithoutRedirect?(message: string): Promise<unknown>;
-  abortStudy(message: string): Promise<unknown>;
+  /** Its name before JATOS 3.9.7. */
+  abortStudyAjax?(message: string): Promise<unknown>;
 }
 
 const jatosOfWindow = (): Jatos | undefined => (globalThis as { jatos?: Jatos }).jatos;
@@ -122,7 +123,8 @@ export async function jatosStore<Own extends { participant: string }>(
     },
     async withdraw() {
       if (jatos.abortStudyWithoutRedirect) await jatos.abortStudyWithoutRedirect("withdrawn");
-      else await jatos.abortStudy("withdrawn");
+      else if (jatos.abortStudyAjax) await jatos.abortStudyAjax("withdrawn");
+      else throw new Error("This JATOS cannot delete the answers of a run.");
       return undefined;
     },
     leave(address) {

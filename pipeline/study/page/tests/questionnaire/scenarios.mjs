@@ -184,6 +184,7 @@ globalThis.jatos = {
   submitResultData: async (text) => { kept.result = text; keep(); },
   uploadResultFile: async (text, name) => { (kept.files ??= {})[name] = text; keep(); },
   endStudy: async () => { kept.ended = true; keep(); },
+  abortStudyWithoutRedirect: async () => { kept.aborted = true; delete kept.result; keep(); },
 };
 `;
 
@@ -207,8 +208,14 @@ async function jatos() {
   await page.locator(".leave").click();
   await page.waitForFunction(() => JSON.parse(sessionStorage.jatos).ended);
   const kept = await page.evaluate(() => JSON.parse(sessionStorage.jatos));
+  const leaving = await open(`${server.base}/${dirName}/index.html`);
+  await leaving.page.locator(".page .buttons .main").click();
+  await leaving.page.locator(".withdrawal > .button").click();
+  await leaving.page.locator("dialog .button").nth(1).click();
+  await leaving.page.waitForFunction(() => /have been deleted/.test(document.querySelector("main").innerText));
+  const withdrawn = await leaving.page.evaluate(() => JSON.parse(sessionStorage.jatos));
   server.close();
-  return { answers: kept.result, files: Object.keys(kept.files ?? {}).sort(), taken: kept.batch.mien_taken,
+  return { withdrawn, answers: kept.result, files: Object.keys(kept.files ?? {}).sort(), taken: kept.batch.mien_taken,
     troubles, reloads, ended_before_it_was_read: told };
 }
 
