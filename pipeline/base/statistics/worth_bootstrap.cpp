@@ -1,0 +1,101 @@
+#include "pipeline/base/statistics/worth_bootstrap.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/statistics/named_random.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// Comparisons of one participant, as places in the list of all pairs.
+struct PlacedCount {
+  std::size_t pair;
+  PairCount count;
+};
+
+/// All pairs that occur, without outcomes, and the participants' comparisons of them.
+struct PlacedCounts {
+  std::vector<PairCount> pairs;
+  std::vector<std::vector<PlacedCount>> people;
+};
+
+PlacedCounts placed(const std::vector<std::vector<PairCount>>& people) {
+  PlacedCounts result;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> places;
+  for (const std::vector<PairCount>& own : people) {
+    std::vector<PlacedCount>& all = result.people.emplace_back();
+    for (const PairCount& count : own) {
+      const auto [place, is_new] =
+          places.try_emplace({count.first, count.second}, result.pairs.size());
+      if (is_new) result.pairs.push_back({count.first, count.second});
+      all.push_back({place->second, count});
+    }
+  }
+  return result;
+}
+
+std::vector<PairCount> resampled(const PlacedCounts& all, std::uint64_t seed, int resample) {
+  std::vector<PairCount> counts = all.pairs;
+  const std::size_t people = all.people.size();
+  for (std::size_t i = 0; i < people; ++i) {
+    const double drawn = uniform(seed, fmt::format("resample {} participant {}", resample, i));
+    const auto person = static_cast<std::size_t>(drawn * static_cast<double>(people));
+    for (const PlacedCount& own : all.people[std::min(person, people - 1)]) {
+      PairCount& count = counts[own.pair];
+      count.first_wins += own.count.first_wins;
+      count.second_wins += own.count.second_wins;
+      count.ties += own.count.ties;
+    }
+  }
+  return counts;
+}
+
+bool has_all_worths(const BradleyTerry& fit) {
+  return fit.is_finite && !fit.groups.sizes.empty() && fit.groups.sizes.size() == 1;
+}
+
+/// The (n + 1)·2.5 %th smallest and largest of n values, of which those missing from `values` count
+/// as smaller and larger than all others.
+Interval95 percentiles(std::vector<double> values, int resamples) {
+  Interval95 interval{std::numeric_limits<double>::quiet_NaN(),
+                      std::numeric_limits<double>::quiet_NaN()};
+  const auto missing = static_cast<std::ptrdiff_t>(resamples) - std::ssize(values);
+  const std::ptrdiff_t rank = (resamples + 1) / 40 - 1 - missing;
+  if (rank < 0 || rank >= std::ssize(values)) return interval;
+  std::ranges::sort(values);
+  return {values[static_cast<std::size_t>(rank)],
+          values[values.size() - 1 - static_cast<std::size_t>(rank)]};
+}
+
+}  // namespace
+
+WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people,
+                               std::size_t stimuli, OrderEffect order, std::uint64_t seed,
+                               int resamples) {
+  const PlacedCounts all = placed(people);
+  std::vector<std::vector<double>> worths(stimuli);
+  std::vector<double> orders;
+  WorthBootstrap result;
+  result.resamples = resamples;
+  for (int n = 0; n < resamples; ++n) {
+    const BradleyTerry fit = bradley_terry(resampled(all, seed, n), stimuli, order);
+    if (!has_all_worths(fit)) {
+      ++result.without_estimate;
+      continue;
+    }
+    for (std::size_t i = 0; i < stimuli; ++i) worths[i].push_back(fit.worth[i]);
+    if (order == OrderEffect::estimated) orders.push_back(fit.order);
+  }
+  for (std::vector<double>& values : worths)
+    result.worth.push_back(percentiles(std::move(values), resamples));
+  result.order = percentiles(std::move(orders), resamples);
+  return result;
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/base/statistics/bradley_terry.h"
+
+namespace mien::pipeline {
+
+/// 95 % intervals of worths that hold if participants, not answers, are independent of each other.
+struct WorthBootstrap {
+  std::vector<Interval95> worth;  ///< of each stimulus
+  Interval95 order;               ///< of the order effect
+  int resamples = 0;
+  /// Number of resamples in which not all worths are finite and comparable.
+  int without_estimate = 0;
+};
+
+/// Intervals from resampled participants (percentiles; Efron and Tibshirani 1993): each resample
+/// consists of as many participants as there are, drawn with replacement, with all of their
+/// comparisons. `people` has the comparisons of each participant.
+///
+/// A resample in which not all of the stimuli have comparable finite worths counts as below all
+/// others for the lower ends and above all others for the upper ends. If there are so many of
+/// them that an end would be infinite, it is NaN. The draws depend only on `seed`.
+WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people,
+                               std::size_t stimuli, OrderEffect order, std::uint64_t seed,
+                               int resamples = 999);
+
+}  // namespace mien::pipeline
