@@ -180,15 +180,16 @@ class AnswerCollector {
   void add_preference(const AnswerRow& row, std::size_t stimulus) {
     const auto against = known_stimulus(row, row.against);
     if (!against || row.value.empty() || row.value == "NA") return;
-    if (row.value != row.stimulus && row.value != row.against) {
+    const bool is_tie = row.value == tie_answer && row.value_raw == tie_answer;
+    if (!is_tie && row.value != row.stimulus && row.value != row.against) {
       fault(row, fmt::format("{} is not one of the pair", motion::in_quotes(row.value)),
             fmt::format("they are {} and {}", row.stimulus, row.against));
       return;
     }
     if (!counts(row)) return;
-    const bool is_first = row.value == row.stimulus;
+    const bool is_first = is_tie || row.value == row.stimulus;
     result_.preferences.push_back({people_.at(row.participant), is_first ? stimulus : *against,
-                                   is_first ? *against : stimulus, row.item});
+                                   is_first ? *against : stimulus, row.item, is_first, is_tie});
   }
 
   const Questionnaire& questionnaire_;

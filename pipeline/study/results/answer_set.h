@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,12 +50,18 @@ struct AnalysedChoice {
   std::string chosen;
 };
 
+/// An answer of a pair trial that means that neither of the two stimuli is preferred; as raw answer
+/// and as value.
+inline constexpr std::string_view tie_answer = "tie";
+
 /// A choice between two stimuli.
 struct AnalysedPreference {
   std::size_t person = 0;
-  std::size_t chosen = 0;
+  std::size_t chosen = 0;  ///< of a tie, the one on the left
   std::size_t other = 0;
   std::string item;
+  bool is_left_chosen = true;  ///< whether `chosen` was shown on the left
+  bool is_tie = false;
 };
 
 /// A free text: a comment, or an answer in words to the scale `item`.

@@ -17,6 +17,7 @@ std::string pair_question(const AnswerSet& answer_set, const std::string& item) 
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set) {
   std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
   for (const AnalysedPreference& preference : answer_set.preferences) {
+    if (preference.is_tie) continue;
     const std::size_t one = std::min(preference.chosen, preference.other);
     const std::size_t other = std::max(preference.chosen, preference.other);
     PreferenceCount& count = counts[{preference.item, one, other}];

@@ -26,7 +26,7 @@ struct PreferenceCount {
 std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
 /// Preferences for all pairs of stimuli about which there are choices, sorted by item, then by pair
-/// in the order of the manifest.
+/// in the order of the manifest. Ties are no choices.
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

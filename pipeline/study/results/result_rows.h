@@ -102,6 +102,8 @@ inline constexpr SharedColumn adjusted_column = {"p_adjusted", "",
 
 /// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);
+/// Adds the tables of worths of compared stimuli.
+void add_worths(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of participants, free texts and repeated trials.
 void add_participants(const Results& results, std::vector<WrittenTable>& tables);
 

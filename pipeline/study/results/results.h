@@ -8,6 +8,7 @@
 #include "pipeline/study/results/confusion.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
+#include "pipeline/study/results/pair_worth.h"
 #include "pipeline/study/results/participants.h"
 #include "pipeline/study/results/quality_lists.h"
 #include "pipeline/study/results/retest.h"
@@ -26,6 +27,7 @@ struct Results {
   std::vector<EndCorrelation> correlations;
   std::vector<Reliability> reliability;
   std::vector<PreferenceCount> preferences;
+  std::vector<PairWorth> worths;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
@@ -48,6 +50,7 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.correlations = end_correlations(results.answer_set);
   results.reliability = reliability_of(results.answer_set);
   results.preferences = preferences_of(results.answer_set);
+  results.worths = worths_of(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.participants = participant_summaries(results.answer_set, rows);
   results.retest_answers = retest_answers_of(results.answer_set, rows);

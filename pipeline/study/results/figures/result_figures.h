@@ -47,6 +47,9 @@ void add_difference_figures(const Results& results, std::vector<ResultFigure>& f
 /// figures.
 void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds figures for each question about pairs: the worths of the stimuli with their intervals.
+void add_worth_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures for each free-text question: the most frequent words by stimulus.
 void add_word_figures(const Results& results, std::vector<ResultFigure>& figures);
 

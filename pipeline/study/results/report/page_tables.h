@@ -30,4 +30,8 @@ std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);
 std::string remarks_html(const std::vector<Remark>& remarks);
 
+/// The section of the worths of compared stimuli: what they mean, `figures`, and the tables. Empty
+/// without comparisons.
+std::string worth_section_html(const Results& results, const std::string& figures);
+
 }  // namespace mien::pipeline

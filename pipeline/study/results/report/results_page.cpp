@@ -360,6 +360,8 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("agreement", "Agreement", agreement_part(results));
   parts.section("retest", "Test–retest", retest_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
+  parts.section("worth", "Worth of compared stimuli",
+                worth_section_html(results, parts.figures("worth")));
   parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));
   parts.section("files", "Files", files_html(tables, !results.answer_set.ratings.empty()));

@@ -44,6 +44,17 @@ inline Manifest pair_study() {
   return manifest;
 }
 
+/// The same stimuli, each with each other.
+inline Manifest all_pairs_study(int participants) {
+  Manifest manifest = pair_study();
+  manifest.questionnaire->participants = participants;
+  manifest.questionnaire->pairs.clear();
+  for (std::size_t i = 0; i < manifest.stimuli.size(); ++i)
+    for (std::size_t k = i + 1; k < manifest.stimuli.size(); ++k)
+      manifest.questionnaire->pairs.push_back({manifest.stimuli[i].id, manifest.stimuli[k].id});
+  return manifest;
+}
+
 /// Few who lean to an end, and answers that stay away from the ends.
 inline constexpr SimulatedParticipants steady_people = {
     .spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}, .attention_pass_rate = 1.0};

@@ -45,6 +45,31 @@ TEST(ResultFigures, DividesManyPairsIntoSeveralFigures) {
   for (const ResultFigure& figure : figures) test::expect_texts_apart(figure.plot);
 }
 
+TEST(ResultFigures, DrawsWorthsHighestFirst) {
+  const Manifest manifest = all_pairs_study(12);
+  std::vector<AnswerRow> rows = answers_to(manifest, {{{"sad", "sad-happy"}, -1.0}});
+  for (AnswerRow& row : rows) {  // always chosen
+    if (row.counts() && (row.stimulus == "happy" || row.against == "happy")) {
+      row.value = "happy";
+      row.value_raw = row.stimulus == "happy" ? "left" : "right";
+    }
+  }
+  const auto figures = figures_of(results_of_study(manifest, rows), "worth");
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures[0].name, "worth-sad-happy");
+  test::expect_texts_apart(figures[0].plot);
+  for (const std::string& words :
+       {std::string("Worth of the stimuli: more happy"), std::string("acted-sad"),
+        std::string("always chosen: no finite worth"), std::string(simulated_ratings_mark)})
+    EXPECT_TRUE(test::says(figures[0].plot, words)) << words;
+  const std::vector<DrawnText> texts = test::texts_of(figures[0].plot);
+  const auto height_of = [&](const std::string& name) {
+    return std::ranges::find(texts, name, &DrawnText::text)->box.y;
+  };
+  EXPECT_LT(height_of("happy"), height_of("walk"));
+  EXPECT_LT(height_of("walk"), height_of("sad"));
+}
+
 TEST(ResultFigures, CountsTheWordsThatMostPeopleGave) {
   Manifest manifest = two_emotion_study(4);
   manifest.questionnaire->answer = {.words = true};

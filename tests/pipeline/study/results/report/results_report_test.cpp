@@ -308,6 +308,40 @@ TEST(ResultsReport, OfPairsNamesNoScriptsAndSaysWhatWasAsked) {
   EXPECT_EQ(page.find("results/pairs.csv"), std::string::npos);
 }
 
+TEST(ResultsReport, HasTheWorthOfComparedStimuli) {
+  const Manifest manifest = all_pairs_study(12);
+  std::vector<AnswerRow> rows = answers_to(manifest, {{{"happy", "sad-happy"}, 2.0}});
+  const auto files = report_on(manifest, rows);
+  const std::string& page = files.at("report.html");
+  EXPECT_NE(page.find("<section id=\"worth\">"), std::string::npos);
+  EXPECT_NE(page.find("odds of e to 1"), std::string::npos);
+  EXPECT_NE(page.find("figures/worth-sad-happy.svg"), std::string::npos);
+  EXPECT_TRUE(files.contains("figures/worth-sad-happy.pdf"));
+  EXPECT_NE(files.at("figures.csv").find("figures/worth-sad-happy"), std::string::npos);
+  const CsvTable worth = parse_csv(files.at("results/worth.csv"), "worth.csv");
+  EXPECT_EQ(worth.rows.size(), 5u);
+  EXPECT_EQ(parse_csv(files.at("results/worth_tests.csv"), "worth_tests.csv").rows.size(), 1u);
+  EXPECT_EQ(parse_csv(files.at("results/circular_triads.csv"), "triads.csv").rows.size(), 12u);
+  for (const CsvField& column : worth.header)
+    EXPECT_NE(files.at("codebook.csv")
+                  .find("results/worth.csv,scale and stimulus of a study of "
+                        "pairs," +
+                        column.text + ","),
+              std::string::npos)
+        << column.text;
+  // Infinite or undefined numbers are never printed.
+  for (const char* name : {"results/worth.csv", "results/worth_tests.csv"}) {
+    EXPECT_EQ(files.at(name).find("nan"), std::string::npos) << name;
+    EXPECT_EQ(files.at(name).find("inf"), std::string::npos) << name;
+  }
+}
+
+TEST(ResultsReport, HasNoWorthWithoutPairs) {
+  for (const auto& [name, bytes] : usual_report())
+    EXPECT_EQ(name.find("worth"), std::string::npos) << name;
+  EXPECT_EQ(usual_report().at("report.html").find("id=\"worth\""), std::string::npos);
+}
+
 TEST(ResultsReport, ExplainsChoicesAsChoices) {
   Manifest manifest = two_emotion_study(6);
   manifest.questionnaire->trials = &emotion_form;

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pipeline/base/statistics/elo_rating.h"
+#include "pipeline/base/statistics/transitivity.h"
+#include "pipeline/base/statistics/worth_bootstrap.h"
+#include "pipeline/study/results/answer_set.h"
+
+namespace mien::pipeline {
+
+/// What comparisons say about one stimulus.
+struct StimulusWorth {
+  std::size_t stimulus = 0;
+  int chosen = 0;  ///< number of comparisons in which it was chosen
+  int other_chosen = 0;
+  int ties = 0;
+  WinRecord record = WinRecord::estimated;
+  int group = 1;               ///< counted from 1; worths of different groups cannot be compared
+  double worth;                ///< log-worth; NaN if it is not finite. Sums to zero within a group
+  double error;                ///< standard error, treating all answers as independent
+  Interval95 by_answers;       ///< 95 % profile-likelihood interval: all answers independent
+  Interval95 by_participants;  ///< 95 % interval from resampled participants; NaN if there is none
+  EloRating elo;
+
+  int comparisons() const { return chosen + other_chosen + ties; }
+};
+
+/// The circular triads of a participant who compared all stimuli with each other.
+struct ParticipantTriads {
+  std::size_t person = 0;
+  CircularTriads triads;
+};
+
+/// Worths of all stimuli that were compared for one item, by the model of Bradley and Terry with
+/// ties and order effect (bradley_terry.h).
+struct PairWorth {
+  std::string item;
+  int people = 0;
+  int comparisons = 0;
+  int ties = 0;
+  std::vector<StimulusWorth> stimuli;  ///< in the order of the manifest
+  /// Whether the model has an order effect. It has none if it cannot be determined, for example if
+  /// each pair was always shown with the same stimulus on the left.
+  bool has_order = false;
+  BradleyTerry fit;       ///< numbers of the model; its stimuli are those of `stimuli`
+  Interval95 order_ends;  ///< 95 % interval of the order effect from resampled participants
+  LikelihoodRatio order;  ///< test of the order effect
+  double order_adjusted;  ///< p adjusted over all items
+  LikelihoodRatio equal;  ///< test of equal worth
+  double equal_adjusted;  ///< p adjusted over all items
+  /// Whether the intervals that are reported are those from resampled participants.
+  bool is_by_participants = false;
+  int resamples = 0;         ///< number of resamples of participants
+  int without_estimate = 0;  ///< of these, those in which not all worths are finite
+  TransitivityViolations transitivity;
+  std::vector<ParticipantTriads> triads;
+
+  /// The reported interval.
+  const Interval95& ends_of(const StimulusWorth& one) const {
+    return is_by_participants ? one.by_participants : one.by_answers;
+  }
+};
+
+/// With fewer participants, intervals from resampled participants are not reported: too few
+/// different ones are drawn.
+inline constexpr int fewest_resampled_people = 10;
+
+/// The worths for each item about which there are comparisons, sorted by item.
+///
+/// Reported intervals are those from resampled participants, because several answers of the same
+/// participant are not independent: profile-likelihood intervals are then too short. They are
+/// profile-likelihood intervals if there are fewer than fewest_resampled_people, if some of the
+/// resampled intervals have no finite ends, or if several groups of stimuli have worths.
+std::vector<PairWorth> worths_of(const AnswerSet& answer_set);
+
+/// "always chosen", "never chosen" …; empty if the worth is estimated.
+std::string record_text(WinRecord record);
+
+}  // namespace mien::pipeline

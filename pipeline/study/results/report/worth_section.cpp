@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/html.h"
+#include "pipeline/study/results/report/html_row.h"
+#include "pipeline/study/results/report/page_tables.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string worth_rows(const AnswerSet& answer_set, const PairWorth& worth) {
+  std::string rows;
+  for (const StimulusWorth& one : worth.stimuli) {
+    const Interval95& ends = worth.ends_of(one);
+    rows += HtmlRow()
+                .text(pair_question(answer_set, worth.item), answer_set.stimuli[one.stimulus].id)
+                .number(one.comparisons(), one.chosen, one.ties, one.worth,
+                        interval_text(ends.low, ends.high), one.error,
+                        interval_text(one.by_answers.low, one.by_answers.high),
+                        fmt::format("{} (± {})", decimal(one.elo.mean, 0),
+                                    decimal(one.elo.deviation, 0)))
+                .text(std::isnan(one.worth) ? record_text(one.record)
+                                            : fmt::format("group {}", one.group))
+                .html();
+  }
+  return rows;
+}
+
+std::string worths_html(const Results& results) {
+  std::string rows;
+  for (const PairWorth& worth : results.worths) rows += worth_rows(results.answer_set, worth);
+  return wide_table({"<item", "<stimulus", "comparisons", "chosen", "ties", "log-worth",
+                     "95 % interval", "standard error", "95 % interval, answers independent",
+                     "Elo (± SD over orders)", "<group, or why there is no worth"},
+                    rows);
+}
+
+std::string chi_text(const LikelihoodRatio& test) {
+  return std::isnan(test.chi) ? "–" : fmt::format("{} ({})", decimal(test.chi), test.degrees);
+}
+
+std::string worth_tests_html(const Results& results) {
+  std::string rows;
+  for (const PairWorth& worth : results.worths)
+    rows += HtmlRow()
+                .text(pair_question(results.answer_set, worth.item))
+                .number(worth.people, worth.comparisons, worth.ties, chi_text(worth.equal),
+                        p_text(worth.equal.p), p_text(worth.equal_adjusted), worth.fit.order,
+                        interval_text(worth.order_ends.low, worth.order_ends.high),
+                        chi_text(worth.order), p_text(worth.order.p), p_text(worth.order_adjusted))
+                .html(worth.equal_adjusted < results.answer_set.alpha);
+  return wide_table(
+      {"<item", "participants", "comparisons", "ties", "equal worth, χ² (df)", "p", "p, corrected",
+       "order effect", "95 % interval", "order, χ² (df)", "p", "p, corrected"},
+      rows);
+}
+
+std::string transitivity_html(const Results& results) {
+  std::string rows;
+  for (const PairWorth& worth : results.worths) {
+    double zeta = 0.0;
+    double circular = 0.0;
+    for (const ParticipantTriads& one : worth.triads) {
+      zeta += one.triads.zeta;
+      circular += one.triads.circular;
+    }
+    const auto people = static_cast<double>(worth.triads.size());
+    const TransitivityViolations& found = worth.transitivity;
+    if (found.triads == 0) continue;
+    rows += HtmlRow()
+                .text(pair_question(results.answer_set, worth.item))
+                .number(found.triads, found.weak, found.moderate, found.strong,
+                        static_cast<int>(worth.triads.size()), circular / people,
+                        worth.triads.empty() ? std::nan("") : worth.triads[0].triads.by_chance,
+                        zeta / people)
+                .html();
+  }
+  return wide_table({"<item", "triads", "violate weak", "violate moderate", "violate strong",
+                     "participants with all pairs", "mean circular triads", "by chance", "mean ζ"},
+                    rows);
+}
+
+std::string why_not_by_participants(const PairWorth& worth) {
+  if (worth.people < fewest_resampled_people)
+    return fmt::format("there are fewer than {} participants", fewest_resampled_people);
+  return worth.resamples == 0 ? "there are several groups of stimuli"
+                              : "too many resamples of participants have no finite worths";
+}
+
+/// A sentence on each item whose worths are not all finite, or not reported as the others are.
+std::vector<std::string> worth_remarks(const Results& results) {
+  std::vector<std::string> remarks;
+  for (const PairWorth& worth : results.worths) {
+    const std::string question = pair_question(results.answer_set, worth.item);
+    const auto without = std::ranges::count_if(
+        worth.stimuli, [](const StimulusWorth& one) { return std::isnan(one.worth); });
+    if (without > 0)
+      remarks.push_back(fmt::format(
+          "{}: {} of {} have no finite worth. No number can be given for a stimulus that was "
+          "always or never chosen, or if the answers do not determine the model.",
+          question, without, counted_noun(worth.stimuli.size(), "stimulus", "stimuli")));
+    if (!worth.is_by_participants && without < std::ssize(worth.stimuli))
+      remarks.push_back(
+          fmt::format("{}: the intervals treat all answers as independent, because {}.", question,
+                      why_not_by_participants(worth)));
+    if (!worth.has_order)
+      remarks.push_back(
+          fmt::format("{}: an order effect cannot be determined from these answers and is not "
+                      "part of the model.",
+                      question));
+  }
+  return remarks;
+}
+
+std::string worth_paragraph(const std::string& plain) {
+  return "<p>" + html_escaped(plain) + "</p>\n";
+}
+
+}  // namespace
+
+std::string worth_section_html(const Results& results, const std::string& figures) {
+  if (results.worths.empty()) return "";
+  std::string html =
+      worth_paragraph(
+          "All comparisons for an item together, by the model of Bradley and Terry with ties "
+          "(Davidson) and an order effect (Davidson and Beaver). A difference of 1 in log-worth "
+          "between two stimuli means odds of e to 1 (2.7 to 1, 73 % of the choices) of being "
+          "chosen, a difference of 2 odds of 7.4 to 1 (88 %). Log-worths have a sum of 0, so that "
+          "they state differences from the mean of the stimuli; 0 is not the middle of a scale. "
+          "Intervals: participants resampled with all of their answers (bootstrap percentiles), "
+          "as answers of the same participant depend on each other. The tests (likelihood ratio), "
+          "standard errors and the second intervals (profile likelihood) treat all answers as "
+          "independent, so that their p values are too small if answers of the same "
+          "participant depend on each other. Order effect: log-odds in favour of the stimulus on "
+          "the left if both are of "
+          "equal worth. Elo ratings contain nothing more than the worths and depend on the order "
+          "of the comparisons: they are averaged over random orders, and have no intervals.") +
+      html_list("warnings", worth_remarks(results)) + figures + worths_html(results) +
+      "<h3>Equal worth and order effect</h3>\n" + worth_tests_html(results);
+  const std::string transitivity = transitivity_html(results);
+  if (!transitivity.empty())
+    html += "<h3>Transitivity</h3>\n" +
+            worth_paragraph(
+                "A single scale of worth requires that preferences are transitive. For three "
+                "stimuli a, b and c with proportions of choices P(ab) and P(bc) of at least one "
+                "half, weak transitivity demands that P(ac) is at least one half, moderate "
+                "transitivity that it is at least the smaller of the two, and strong "
+                "transitivity that it is at least the larger; violations also occur by chance. "
+                "Circular triads (a preferred to b, b to c, c to a) are counted for participants "
+                "who compared all stimuli with each other; ζ is Kendall’s coefficient of "
+                "consistence, 1 without circular triads. Each participant is in "
+                "results/circular_triads.csv.") +
+            transitivity;
+  return html;
+}
+
+}  // namespace mien::pipeline

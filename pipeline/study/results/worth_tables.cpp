@@ -1,0 +1,141 @@
+#include "pipeline/study/results/result_rows.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct WorthRow {
+  const AnswerSet& in;
+  const PairWorth& all;
+  const StimulusWorth& of;
+
+  const ReportedStimulus& stimulus() const { return in.stimuli[of.stimulus]; }
+};
+
+using WorthTestRow = ResultRow<PairWorth>;
+
+struct TriadsRow {
+  const AnswerSet& in;
+  const PairWorth& all;
+  const ParticipantTriads& of;
+};
+
+constexpr SharedColumn worth_item_column = {"item", "", "scale or question id",
+                                            [](auto& r) { return r.all.item; }};
+
+constexpr auto worth_columns = result_table<WorthRow>(
+    "results/worth.csv", "scale and stimulus of a study of pairs",
+    {worth_item_column,
+     stimulus_column,
+     {"comparisons", "", "comparisons with other stimuli",
+      [](auto& r) { return r.of.comparisons(); }},
+     {"chosen", "", "comparisons in which it was chosen", [](auto& r) { return r.of.chosen; }},
+     {"other_chosen", "", "comparisons in which the other one was chosen",
+      [](auto& r) { return r.of.other_chosen; }},
+     {"ties", "", "comparisons in which neither was preferred", [](auto& r) { return r.of.ties; }},
+     {"record", "", "why there is no worth: always chosen, never chosen …; empty if there is one",
+      [](auto& r) { return record_text(r.of.record); }},
+     {"group", "",
+      "stimuli whose worths can be compared have the same number; differences between groups are "
+      "infinite or unknown",
+      [](auto& r) { return r.of.group; }},
+     {"worth", "log-odds",
+      "log-worth of Bradley and Terry's model, with a sum of zero in each group: a difference of 1 "
+      "means odds of e to 1 of being chosen",
+      [](auto& r) { return r.of.worth; }},
+     {"se", "log-odds", "its standard error, treating all answers as independent",
+      [](auto& r) { return r.of.error; }},
+     {"low", "log-odds", "lower end of the reported 95 % interval",
+      [](auto& r) { return r.all.ends_of(r.of).low; }},
+     {"high", "log-odds", "upper end", [](auto& r) { return r.all.ends_of(r.of).high; }},
+     {"interval", "",
+      "how the reported interval was determined: participants (bootstrap), or answers (profile "
+      "likelihood, treating all answers as independent)",
+      [](auto& r) { return r.all.is_by_participants ? "participants" : "answers"; }},
+     {"bootstrap_low", "log-odds", "lower end of the interval from resampled participants",
+      [](auto& r) { return r.of.by_participants.low; }},
+     {"bootstrap_high", "log-odds", "upper end", [](auto& r) { return r.of.by_participants.high; }},
+     {"profile_low", "log-odds", "lower end of the profile-likelihood interval",
+      [](auto& r) { return r.of.by_answers.low; }},
+     {"profile_high", "log-odds", "upper end", [](auto& r) { return r.of.by_answers.high; }},
+     {"elo", "Elo points",
+      "rating by Elo's method (begins with 1500, step 32), which depends on the order of the "
+      "comparisons: mean over 100 random orders",
+      [](auto& r) { return r.of.elo.mean; }},
+     {"elo_sd", "Elo points", "standard deviation of that rating over the orders",
+      [](auto& r) { return r.of.elo.deviation; }}});
+
+constexpr auto worth_test_columns = result_table<WorthTestRow>(
+    "results/worth_tests.csv", "scale of a study of pairs",
+    {{"item", "", "scale or question id", [](auto& r) { return r.of.item; }},
+     {"people", "", "participants who compared stimuli", [](auto& r) { return r.of.people; }},
+     {"stimuli", "", "number of stimuli compared", [](auto& r) { return r.of.stimuli.size(); }},
+     {"comparisons", "", "number of answers", [](auto& r) { return r.of.comparisons; }},
+     {"ties", "", "answers that prefer neither", [](auto& r) { return r.of.ties; }},
+     {"chi_equal", "", "likelihood-ratio statistic of the test that all worths are equal",
+      [](auto& r) { return r.of.equal.chi; }},
+     {"df_equal", "", "its degrees of freedom", [](auto& r) { return r.of.equal.degrees; }},
+     {"p_equal", "", "its p, treating all answers as independent",
+      [](auto& r) { return p_field(r.of.equal.p); }},
+     {"p_equal_adjusted", "", "p_equal corrected for multiple comparisons, over the table",
+      [](auto& r) { return p_field(r.of.equal_adjusted); }},
+     {"order", "log-odds",
+      "order effect: log-odds in favour of the stimulus on the left if both are of equal worth; "
+      "empty if it cannot be determined",
+      [](auto& r) { return r.of.fit.order; }},
+     {"order_se", "log-odds", "its standard error, treating all answers as independent",
+      [](auto& r) { return r.of.fit.order_error; }},
+     {"order_low", "log-odds", "lower end of its 95 % interval from resampled participants",
+      [](auto& r) { return r.of.order_ends.low; }},
+     {"order_high", "log-odds", "upper end", [](auto& r) { return r.of.order_ends.high; }},
+     {"chi_order", "", "likelihood-ratio statistic of the test that there is no order effect",
+      [](auto& r) { return r.of.order.chi; }},
+     {"p_order", "", "its p (1 degree of freedom), treating all answers as independent",
+      [](auto& r) { return p_field(r.of.order.p); }},
+     {"p_order_adjusted", "", "p_order corrected for multiple comparisons, over the table",
+      [](auto& r) { return p_field(r.of.order_adjusted); }},
+     {"tie", "log",
+      "parameter of ties: logarithm of P(tie)/√(P(one chosen)·P(other chosen)); empty without ties",
+      [](auto& r) { return r.of.fit.tie; }},
+     {"tie_se", "log", "its standard error", [](auto& r) { return r.of.fit.tie_error; }},
+     {"resamples", "", "resamples of participants", [](auto& r) { return r.of.resamples; }},
+     {"without_estimate", "", "resamples in which not all worths are finite",
+      [](auto& r) { return r.of.without_estimate; }},
+     {"triads", "", "sets of three stimuli that were all compared with each other",
+      [](auto& r) { return r.of.transitivity.triads; }},
+     {"weak", "", "of these, those whose proportions of choices violate weak transitivity",
+      [](auto& r) { return r.of.transitivity.weak; }},
+     {"moderate", "", "those that violate moderate transitivity",
+      [](auto& r) { return r.of.transitivity.moderate; }},
+     {"strong", "", "those that violate strong transitivity",
+      [](auto& r) { return r.of.transitivity.strong; }}});
+
+constexpr auto triads_columns = result_table<TriadsRow>(
+    "results/circular_triads.csv", "scale and participant who compared all stimuli with each other",
+    {worth_item_column,
+     {"participant", "", "participant id", [](auto& r) { return r.in.people[r.of.person]; }},
+     {"circular", "", "circular triads: a preferred to b, b to c, and c to a",
+      [](auto& r) { return r.of.triads.circular; }},
+     {"most", "", "greatest possible number of them", [](auto& r) { return r.of.triads.most; }},
+     {"by_chance", "", "number expected of random answers",
+      [](auto& r) { return r.of.triads.by_chance; }},
+     {"zeta", "0–1",
+      "Kendall's coefficient of consistence: 1 without circular triads, 0 with as many as possible",
+      [](auto& r) { return r.of.triads.zeta; }}});
+
+}  // namespace
+
+void add_worths(const Results& results, std::vector<WrittenTable>& tables) {
+  const AnswerSet& answer_set = results.answer_set;
+  std::vector<WorthRow> worths;
+  std::vector<TriadsRow> triads;
+  for (const PairWorth& worth : results.worths) {
+    for (const StimulusWorth& one : worth.stimuli) worths.push_back({answer_set, worth, one});
+    for (const ParticipantTriads& one : worth.triads) triads.push_back({answer_set, worth, one});
+  }
+  add_table(worth_columns, worths, answer_set.simulated, tables);
+  add_results(worth_test_columns, results.worths, answer_set, tables);
+  add_table(triads_columns, triads, answer_set.simulated, tables);
+}
+
+}  // namespace mien::pipeline
