@@ -180,7 +180,7 @@ class AnswerCollector {
   void add_preference(const AnswerRow& row, std::size_t stimulus) {
     const auto against = known_stimulus(row, row.against);
     if (!against || row.value.empty() || row.value == "NA") return;
-    const bool is_tie = row.value == tie_answer && row.value_raw == tie_answer;
+    const bool is_tie = row.value == tie_value && row.value_raw == tie_value;
     if (!is_tie && row.value != row.stimulus && row.value != row.against) {
       fault(row, fmt::format("{} is not one of the pair", motion::in_quotes(row.value)),
             fmt::format("they are {} and {}", row.stimulus, row.against));

@@ -50,10 +50,6 @@ struct AnalysedChoice {
   std::string chosen;
 };
 
-/// An answer of a pair trial that means that neither of the two stimuli is preferred; as raw answer
-/// and as value.
-inline constexpr std::string_view tie_answer = "tie";
-
 /// A choice between two stimuli.
 struct AnalysedPreference {
   std::size_t person = 0;
