@@ -190,8 +190,8 @@ std::vector<PairWorth> worths_of(const AnswerSet& answer_set) {
   return worths;
 }
 
-std::string record_text(WinRecord record) {
-  switch (record) {
+std::string record_text(const StimulusWorth& one) {
+  switch (one.record) {
     case WinRecord::always_won:
       return "always chosen";
     case WinRecord::always_lost:
@@ -203,7 +203,7 @@ std::string record_text(WinRecord record) {
     case WinRecord::estimated:
       break;
   }
-  return "";
+  return std::isnan(one.worth) ? "not determined by the answers" : "";
 }
 
 }  // namespace mien::pipeline

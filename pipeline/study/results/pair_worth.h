@@ -76,7 +76,7 @@ inline constexpr int fewest_resampled_people = 10;
 /// resampled intervals have no finite ends, or if several groups of stimuli have worths.
 std::vector<PairWorth> worths_of(const AnswerSet& answer_set);
 
-/// "always chosen", "never chosen" …; empty if the worth is estimated.
-std::string record_text(WinRecord record);
+/// Why there is no worth: "always chosen", "never chosen" …; empty if there is one.
+std::string record_text(const StimulusWorth& one);
 
 }  // namespace mien::pipeline

@@ -34,7 +34,7 @@ constexpr auto worth_columns = result_table<WorthRow>(
       [](auto& r) { return r.of.other_chosen; }},
      {"ties", "", "comparisons in which neither was preferred", [](auto& r) { return r.of.ties; }},
      {"record", "", "why there is no worth: always chosen, never chosen …; empty if there is one",
-      [](auto& r) { return record_text(r.of.record); }},
+      [](auto& r) { return record_text(r.of); }},
      {"group", "",
       "stimuli whose worths can be compared have the same number; differences between groups are "
       "infinite or unknown",

@@ -140,10 +140,7 @@ void set_axis(WorthChart& chart) {
 }
 
 std::string note_of(const StimulusWorth& one, bool has_groups) {
-  if (std::isnan(one.worth)) {
-    const std::string record = record_text(one.record);
-    return (record.empty() ? "" : record + ": ") + std::string("no finite worth");
-  }
+  if (std::isnan(one.worth)) return record_text(one) + ": no finite worth";
   return has_groups ? fmt::format("group {}", one.group) : "";
 }
 

@@ -22,8 +22,7 @@ std::string worth_rows(const AnswerSet& answer_set, const PairWorth& worth) {
                         interval_text(one.by_answers.low, one.by_answers.high),
                         fmt::format("{} (± {})", decimal(one.elo.mean, 0),
                                     decimal(one.elo.deviation, 0)))
-                .text(std::isnan(one.worth) ? record_text(one.record)
-                                            : fmt::format("group {}", one.group))
+                .text(std::isnan(one.worth) ? record_text(one) : fmt::format("group {}", one.group))
                 .html();
   }
   return rows;

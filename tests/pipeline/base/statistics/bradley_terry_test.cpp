@@ -114,6 +114,11 @@ TEST(BradleyTerry, MatchesRWithTiesAndOrder) {
                 {1.140028070, -1.136187721, -2.162529062, 0.723341362, -0.783130645, -1.742039313,
                  2.385670226, 1.098177113, 0.476669970},
                 "worth");
+  expect_values(fit.error,
+                {0.243478436, 0.234726932, 0.240571289, 0.182316360, 0.182069135, 0.217937109,
+                 0.235537938, 0.223415739, 0.246197546},
+                "error");
+  EXPECT_NEAR(fit.log_likelihood, -732.053155567, printed_digits);
   EXPECT_NEAR(fit.order, 0.033428335, printed_digits);
   EXPECT_NEAR(fit.order_error, 0.199053864, printed_digits);
   EXPECT_NEAR(fit.tie, -0.144366926, printed_digits);

@@ -125,12 +125,25 @@ TEST(PairWorth, HasNoNumberForWhatIsAlwaysChosen) {
   const PairWorth worth = worth_of_answers(manifest, rows);
   const StimulusWorth& happy = worth.stimuli[4];
   EXPECT_EQ(happy.record, WinRecord::always_won);
-  EXPECT_EQ(record_text(happy.record), "always chosen");
+  EXPECT_EQ(record_text(happy), "always chosen");
   EXPECT_TRUE(std::isnan(happy.worth));
   EXPECT_TRUE(std::isnan(worth.ends_of(happy).high));
   EXPECT_TRUE(std::isfinite(worth.stimuli[0].worth));
   EXPECT_TRUE(worth.is_by_participants);
   EXPECT_LT(worth.equal.p, 0.01);
+}
+
+TEST(PairWorth, OfNothingButTiesIsNotDetermined) {
+  const Manifest manifest = all_pairs_study(12);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  for (AnswerRow& row : rows)
+    if (row.counts()) set_answer(row, "tie");
+  const PairWorth worth = worth_of_answers(manifest, rows);
+  EXPECT_EQ(worth.ties, 120);
+  EXPECT_TRUE(std::isnan(worth.stimuli[0].worth));
+  EXPECT_EQ(record_text(worth.stimuli[0]), "not determined by the answers");
+  EXPECT_FALSE(worth.is_by_participants);
+  EXPECT_TRUE(std::isnan(worth.equal_adjusted));
 }
 
 TEST(PairWorth, IsTheSameEachTime) {
