@@ -101,10 +101,10 @@ TEST(Transitivity, LeavesOutTriadsThatWereNotCompared) {
 }
 
 TEST(Transitivity, CountsTiesAsHalf) {
-  const auto found = transitivity_violations({{0, 1, 6, 2, 2}, {1, 2, 7, 3}, {0, 2, 3, 3, 4}},
-                                             3);  // 0.7, 0.7, 0.5
-  EXPECT_EQ(found.weak, 0);
-  EXPECT_EQ(found.moderate, 1);
+  // 0.7, 0.7 and 0.75; without the ties the first would be 0.83.
+  const auto found = transitivity_violations({{0, 1, 5, 1, 4}, {1, 2, 7, 3}, {0, 2, 15, 5}}, 3);
+  EXPECT_EQ(found.triads, 1);
+  EXPECT_EQ(found.strong, 0);
 }
 
 }  // namespace
