@@ -1,10 +1,13 @@
 #include "pipeline/base/statistics/worth_bootstrap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
 
 #include "pipeline/base/statistics/named_random.h"
@@ -60,13 +63,22 @@ bool has_all_worths(const BradleyTerry& fit) {
   return fit.is_finite && !fit.groups.sizes.empty() && fit.groups.sizes.size() == 1;
 }
 
-/// The (n + 1)·2.5 %th smallest and largest of n values, of which those missing from `values` count
-/// as smaller and larger than all others.
-Interval95 percentiles(std::vector<double> values, int resamples) {
+/// The proportion of resamples below each end for n participants: 2.5 % for many, and less for few,
+/// so that intervals of means are as wide as Student's (Hesterberg 2015, expanded percentiles).
+double tail_share(std::size_t people) {
+  if (people < 2) return 0.0;
+  const auto n = static_cast<double>(people);
+  const double t = quantile(boost::math::students_t(n - 1.0), 0.975);
+  return cdf(boost::math::normal(), -std::sqrt(n / (n - 1.0)) * t);
+}
+
+/// The values at these proportions from either end. Those missing from `values` count as smaller
+/// and as larger than all others.
+Interval95 percentiles(std::vector<double> values, int resamples, double share) {
   Interval95 interval{std::numeric_limits<double>::quiet_NaN(),
                       std::numeric_limits<double>::quiet_NaN()};
   const auto missing = static_cast<std::ptrdiff_t>(resamples) - std::ssize(values);
-  const std::ptrdiff_t rank = (resamples + 1) / 40 - 1 - missing;
+  const auto rank = static_cast<std::ptrdiff_t>((resamples + 1) * share) - 1 - missing;
   if (rank < 0 || rank >= std::ssize(values)) return interval;
   std::ranges::sort(values);
   return {values[static_cast<std::size_t>(rank)],
@@ -92,9 +104,10 @@ WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people
     for (std::size_t i = 0; i < stimuli; ++i) worths[i].push_back(fit.worth[i]);
     if (order == OrderEffect::estimated) orders.push_back(fit.order);
   }
+  const double share = tail_share(people.size());
   for (std::vector<double>& values : worths)
-    result.worth.push_back(percentiles(std::move(values), resamples));
-  result.order = percentiles(std::move(orders), resamples);
+    result.worth.push_back(percentiles(std::move(values), resamples, share));
+  result.order = percentiles(std::move(orders), resamples, share);
   return result;
 }
 

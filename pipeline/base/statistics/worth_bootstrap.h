@@ -17,9 +17,10 @@ struct WorthBootstrap {
   int without_estimate = 0;
 };
 
-/// Intervals from resampled participants (percentiles; Efron and Tibshirani 1993): each resample
-/// consists of as many participants as there are, drawn with replacement, with all of their
-/// comparisons. `people` has the comparisons of each participant.
+/// Intervals from resampled participants: each resample consists of as many participants as there
+/// are, drawn with replacement, with all of their comparisons (Efron and Tibshirani 1993). The ends
+/// are percentiles, expanded for the number of participants (Hesterberg 2015), as plain percentiles
+/// are too narrow for few. `people` has the comparisons of each participant, at least two.
 ///
 /// A resample in which not all of the stimuli have comparable finite worths counts as below all
 /// others for the lower ends and above all others for the upper ends. If there are so many of

@@ -124,7 +124,7 @@ void expect_stated_coverage(int runs, int resamples) {
   EXPECT_NEAR(found.profile_of_repeated / runs, 0.74, 0.07);
 }
 
-TEST(WorthIntervals, HoldTheWorthAsOftenAsStated) { expect_stated_coverage(60, 99); }
+TEST(WorthIntervals, HoldTheWorthAsOftenAsStated) { expect_stated_coverage(60, 199); }
 
 TEST(WorthIntervals, HoldTheWorthAsOftenAsStatedIn500Runs) { expect_stated_coverage(500, 199); }
 
@@ -169,8 +169,7 @@ TEST(WorthBootstrap, HasNoEndsIfManyResamplesHaveNoEstimate) {
 }
 
 TEST(WorthBootstrap, OfPeopleWhoAgreeHasNoWidth) {
-  const WorthBootstrap found =
-      worth_bootstrap(People(10, {{0, 1, 3, 1}}), 2, OrderEffect::none, 1, 99);
+  const WorthBootstrap found = worth_bootstrap(People(10, {{0, 1, 3, 1}}), 2, OrderEffect::none, 1);
   EXPECT_NEAR(found.worth[0].low, 0.5 * std::log(3.0), 1e-9);
   EXPECT_NEAR(found.worth[0].high, 0.5 * std::log(3.0), 1e-9);
 }
