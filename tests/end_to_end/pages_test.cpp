@@ -45,6 +45,7 @@ const std::vector<NotRun> not_run = {
     {"./mien study design closed-loop-1 -o plans.csv --freeze", "needs the study to be made"},
     {"./mien regress study.yaml --baseline main", "needs a repository"},
     {"./mien study report", "needs answers that people gave"},
+    {"./mien study withdraw", "needs answers that people gave (serve_study_test.cpp)"},
     {"./mien motion info people.glb", "needs a file of several motions (gltf_takes_test.cpp)"},
     {"./mien motion info trial.c3d", "needs a recording of markers (recorded_points_test.cpp)"},
     {"./mien motion info team.c3d", "needs a recording of several people (c3d_test.cpp)"},

@@ -17,6 +17,7 @@
 #include "motion/points/point_recording.h"
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/clip.h"
 #include "motion/skeleton/recording.h"
 #include "motion/two_takes.h"
 #include "scenes/skinned_gltf.h"
@@ -57,11 +58,11 @@ constexpr char with_folder_of_licence[] =
 constexpr char with_clip[] =
     R"({"stimuli": [{"id": "a", "clip": {"file": "one/normal.bvh"}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph_of_file[] =
-    R"({"stimuli": [{"id": "a", "path": {"graph": [{"file": "one/normal.bvh"}], "script": [{"walk": 1}], "threshold_m": 0.5}}, {"id": "b", "weights": {"sad": 1}}]})";
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{"file": "long/normal.bvh"}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_points[] =
     R"({"stimuli": [{"id": "a", "path": {"points": [[0, 0], [0, 1]]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_graph[] =
-    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}], "threshold_m": 0.5}}, {"id": "b", "weights": {"sad": 1}}]})";
+    R"({"stimuli": [{"id": "a", "path": {"graph": [{}], "script": [{"walk": 1}]}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_markers[] =
     R"({"stimuli": [{"id": "a", "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
@@ -224,18 +225,18 @@ const Surroundings surroundings[] = {
     {"stimuli[].path.script[].", "{}", R"({"walk": 1})"},
     {"stimuli[].path.script", "{}", "{}"},
     {"stimuli[].path.points", "{}", "{}"},
-    {"stimuli[].path.graph[].joints", with_graph, R"({"file": "nameless/normal.npz"})"},
+    {"stimuli[].path.graph[].joints", with_graph, R"({"file": "long/nameless.npz"})"},
     {"stimuli[].path.graph[].licence.", with_graph_of_file, R"({"name": "CC0"})"},
-    {"stimuli[].path.graph[].licence", with_graph, R"({"file": "one/normal.bvh"})"},
-    {"stimuli[].path.graph[].source", with_graph, R"({"file": "one/normal.bvh"})"},
-    {"stimuli[].path.graph[].take", with_graph, R"({"file": "takes.gltf"})"},
-    {"stimuli[].path.graph[].subject", with_graph, R"({"file": "one/normal.bvh"})"},
-    {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "smpl/normal.npz"})"},
-    {"stimuli[].path.graph[].fps", with_graph, R"({"file": "unrated/normal.bvh"})"},
+    {"stimuli[].path.graph[].licence", with_graph, R"({"file": "long/normal.bvh"})"},
+    {"stimuli[].path.graph[].source", with_graph, R"({"file": "long/normal.bvh"})"},
+    {"stimuli[].path.graph[].take", with_graph, R"({"file": "long/takes.gltf"})"},
+    {"stimuli[].path.graph[].subject", with_graph, R"({"file": "long/normal.bvh"})"},
+    {"stimuli[].path.graph[].body_model", with_graph, R"({"file": "long/smpl.npz"})"},
+    {"stimuli[].path.graph[].fps", with_graph, R"({"file": "long/unrated.bvh"})"},
     {"stimuli[].path.graph[].file", with_graph, "{}"},
-    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}], "threshold_m": 0.5})"},
+    {"stimuli[].path.graph", "{}", R"({"script": [{"walk": 1}]})"},
     {"stimuli[].path.threshold_m", "{}",
-     R"({"graph": ["one/normal.bvh", "one/sad.bvh"], "script": [{"walk": 1}]})"},
+     R"({"graph": ["long/normal.bvh", "long/sad.bvh"], "script": [{"walk": 1}]})"},
     {"stimuli[].path.moods[].at", with_points, R"({"mood": {"sad": 1}})"},
     {"stimuli[].path.moods[].mood", with_points, R"({"at": 0.1})"},
     {"stimuli[].path.moods", with_points, "{}"},
@@ -329,8 +330,8 @@ const Values chosen_values[] = {
     {"stimuli[].path.script[].stand", "[0.5, 1]"},
     {"stimuli[].path.script[].pace", "[0.5, 1]"},
     {"stimuli[].path.graph[].take", R"(["Walk", "Stand"])"},
-    {"stimuli[].path.graph[].file", R"(["one/normal.bvh", "one/sad.bvh"])"},
-    {"stimuli[].path.graph", R"([["one/normal.bvh"], ["one/normal.bvh", "one/sad.bvh"]])"},
+    {"stimuli[].path.graph[].file", R"(["long/normal.bvh", "long/sad.bvh"])"},
+    {"stimuli[].path.graph", R"([["long/normal.bvh"], ["long/normal.bvh", "long/sad.bvh"]])"},
     {"stimuli[].path.threshold_m", "[0.1, 0.2]"},
     {"stimuli[].path.points", "[[[0, 0], [0, 1]], [[0, 0], [0.5, 1]]]"},
     {"stimuli[].path.pace", "[0.5, 1]"},
@@ -363,7 +364,7 @@ const Values chosen_values[] = {
     {"matching.demographics[].id", R"(["age", "sex"])"},
     {"matching.demographics[].ask", R"(["Who?", "Which?"])"},
     {"matching.demographics[].answer", R"(["number", ["f", "m"]])"},
-    {"stimuli[].path.threshold_m", "[0.5, 0.8]"},
+    {"stimuli[].path.threshold_m", "[0.06, 0.5]"},
     {"regression", R"([{"position_mm": 1}, {"position_mm": 2}])"},
     {"regression.parts_mm", R"([{"left hand": 5}, {"left hand": 6}])"},
     {"questionnaire",
@@ -797,8 +798,27 @@ OptionVariants variants_of(const std::string& path, const json& node) {
   return {with_value(path, two[0]), with_value(path, two[1])};
 }
 
+namespace {
+
+/// Walks of several strides, as motion graphs need them, in all kinds of files.
+void write_long_walks(const motion::ExampleSet& walks, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const motion::Example& example : walks.examples) {
+    const motion::Clip walk = motion::repeated(example.clip, 4);
+    motion::write_motion(motion::to_recording(walk), folder / (example.clip.name + ".bvh"));
+    if (example.clip.name != "normal") continue;
+    std::ofstream(folder / "takes.gltf") << two_takes(motion::to_recording(walk));
+    motion::write_motion(motion::to_recording(walk), folder / "smpl.npz");
+    std::ofstream(folder / "nameless.npz") << nameless(walk);
+    std::ofstream(folder / "unrated.bvh") << unrated(walk);
+  }
+}
+
+}  // namespace
+
 void write_variant_files(const std::filesystem::path& folder) {
   const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  write_long_walks(walks, folder / "long");
   std::filesystem::create_directories(folder / "takes");
   std::filesystem::create_directories(folder / "smpl");
   std::ofstream(folder / "small.npz", std::ios::binary) << smpl_model_of_size(0.9);
