@@ -373,6 +373,13 @@ TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {
   text.replace(text.find("  reference: usual\n"), 19, "");
   text.replace(text.find("  practice: [usual]\n  warm_up: 1\n"), 32,
                "  preference: {ties: true, strength: true, shown: in_turn}\n");
+  text += R"(
+  debriefing: We wanted to know which walk looks happier.
+  display: {size: {cm: 6}}
+  screening:
+    refresh_hz: 1
+    questions: [{id: vision, ask: "Do you see well?", answer: ["yes", "no"], accept: "yes"}]
+)";
   const fs::path manifest = scratch->write("pairs.yaml", text);
   const fs::path there = scratch->path() / "pairs";
   must_run(mien_with({"study", "export", manifest.string(), "--out",
@@ -408,6 +415,8 @@ TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {
   }
   EXPECT_EQ(raws, (std::set<std::string>{"left_much", "left_slightly", "right_much",
                                          "right_slightly", "tie"}));
+  const json checked = played("accessibility", there);
+  EXPECT_EQ(checked.at("faults"), json::array());
 }
 
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {

@@ -26,9 +26,9 @@ void for_each_document(M& manifest, const Visit& visit) {
   };
   if (manifest.questionnaire) {
     auto& questionnaire = *manifest.questionnaire;
-    for (auto* text : {&questionnaire.consent, &questionnaire.instructions,
-                       &questionnaire.debriefing, &questionnaire.ending,
-                       &questionnaire.analysis.plan}) {
+    for (auto* text :
+         {&questionnaire.consent, &questionnaire.instructions, &questionnaire.debriefing,
+          &questionnaire.ending, &questionnaire.analysis.plan}) {
       if (!text->file.empty()) visit(text->file);
     }
     if (!questionnaire.scales.file.empty()) visit(questionnaire.scales.file);

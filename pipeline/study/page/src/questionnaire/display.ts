@@ -70,7 +70,8 @@ export function neededWindow(display: Display | undefined, besides: Media[][]): 
 export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number): Promise<void> {
   return new Promise((done) => {
     const card = element("div", { class: "card", role: "img", "aria-label": texts.card });
-    const slider = element("input", { type: "range", min: "150", max: "1000", step: "1", "aria-label": texts.cardWidth });
+    const slider = element("input",
+      { type: "range", min: "150", max: "1000", step: "1", "aria-label": texts.cardWidth });
     slider.value = "324";  // of screens with 96 dots per inch
     const show = () => {
       card.style.width = `${slider.value}px`;

@@ -130,8 +130,9 @@ function timelineOf(own: Session) {
     const { display: asked } = experiment.settings;
     if (needsCalibration(asked)) await calibrate(display, texts, asked!.distance_cm);
   } };
-  if (experiment.settings.display) timeline.push(calibration);
-  if (experiment.settings.display) timeline.push({ type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
+  if (experiment.settings.display)
+    timeline.push(calibration,
+      { type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
   const keys = [...(isTouched() ? [] : [texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
   const isResumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));

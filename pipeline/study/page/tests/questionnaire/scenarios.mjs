@@ -154,6 +154,11 @@ async function accessibility(how = desktop) {
       await page.waitForFunction(() => !document.querySelector(".answers").inert);
       await check(`answers of trial ${number}`);
     }
+    if (sight === "trial" && number === 1) {
+      await page.locator(".withdrawal > .button").click();
+      await check("withdrawal");
+      await page.locator("dialog .main").click();
+    }
     return false;
   } });
   return { faults, checked };
