@@ -79,16 +79,14 @@ async function answerByKeys(page, number) {
 
 async function passText(page, byKeys, age) {
   const number = page.locator('.question input[inputmode="decimal"]');
-  if (await number.count()) {
-    if (byKeys) {
-      await page.keyboard.type("31");
-      await page.keyboard.press("Tab");
-      await page.keyboard.press("Space");
-    } else {
-      await number.fill(age);
-      const choice = page.locator(".question .line input").first();
-      if (await choice.count()) await choice.check();
-    }
+  const choice = page.locator(".question .line input").first();
+  if (byKeys && await number.count()) {
+    await page.keyboard.type("31");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Space");
+  } else if (!byKeys) {
+    if (await number.count()) await number.fill(age);
+    if (await choice.count()) await choice.check();
   }
   if (!byKeys) return page.locator(".page .buttons .main").click();
   for (let i = 0; i < 8 && !(await page.evaluate(() => document.activeElement.matches(".main"))); i += 1)
