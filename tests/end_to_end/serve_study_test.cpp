@@ -221,8 +221,20 @@ TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
   EXPECT_EQ(text_of(folder.path() / "exported/more.csv"), shared);
   EXPECT_EQ(withdraw("bb").code, 0);
   EXPECT_EQ(text_of(folder.path() / "exported/more.csv"), "participant,session,value\np005,aa,1\n");
+  folder.write("exported/broken.csv", "participant,session\n\"p001,browser\n");
+  folder.write("exported/foreign.csv", "a\n\xff\n");
+  const Ended broken = withdraw("p001");
+  EXPECT_EQ(broken.code, 2);
+  for (const char* words : {"broken.csv", "foreign.csv", "nothing was deleted"})
+    EXPECT_NE(broken.errors.find(words), std::string::npos) << broken.errors;
+  EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"), table);
+  for (const char* name : {"broken.csv", "foreign.csv"})
+    fs::remove(folder.path() / "exported" / name);
+  folder.write("exported/sessions.csv", "participant,trials\np001,6\n");
   const Ended done = withdraw("p001");
-  EXPECT_EQ(done.code, 0) << done.errors;
+  EXPECT_EQ(done.code, 1) << done.errors;
+  EXPECT_NE(done.errors.find("sessions.csv: names p001 and was not changed"), std::string::npos)
+      << done.errors;
   EXPECT_NE(done.output.find("answers.csv: 1 row deleted"), std::string::npos) << done.output;
   EXPECT_NE(done.output.find("records deleted; the session is counted as withdrawn"),
             std::string::npos);

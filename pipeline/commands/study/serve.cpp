@@ -161,8 +161,9 @@ HttpSettings settings_of(const ServeOptions& options, const ServedStudy& study) 
 }
 
 /// Serves the study until stopped. Returns the exit code.
-int serve_study(const ServedStudy& study, SessionStore& store, const ServeOptions& options,
+int serve_study(ServedStudy& study, SessionStore& store, const ServeOptions& options,
                 const ServedFiles& files, const Console& console) {
+  if (!options.url.empty()) study.public_url = base_url(options, options.port);
   QuestionnaireService service(study, store);
   FailureReporter failures(console);
   {

@@ -41,6 +41,7 @@ std::vector<StoreWithSession> stores_with(const std::vector<fs::path>& files,
     auto store = std::make_unique<SessionStore>(file);
     const std::optional<int> session = session_of(*store, who.name);
     if (!session) continue;
+    who.ids.insert(store->sessions().at(static_cast<std::size_t>(*session)).participant);
     const std::string browser = browser_of(*store, *session);
     if (!who.session.empty() && who.session != browser)
       throw Error({file.string()},
@@ -80,13 +81,53 @@ std::string counted(int number, const char* one, const char* more) {
   return fmt::format("{} {}", number, number == 1 ? one : more);
 }
 
+/// Reads all files before anything is changed. Prints which cannot be read; throws Error if there
+/// are any.
+void refuse_unreadable(const std::vector<fs::path>& files, const WithdrawnParticipant& who,
+                       const Console& console) {
+  int unreadable = 0;
+  for (const fs::path& file : files) {
+    try {
+      if (file.extension() == ".db")
+        SessionStore{file};
+      else
+        without_participant(file, who);
+    } catch (const Error& error) {
+      ++unreadable;
+      console.err << error.what() << '\n';
+    }
+  }
+  if (unreadable > 0)
+    throw Error(fmt::format("nothing was deleted, as {} cannot be read",
+                            counted(unreadable, "file", "files")),
+                "mend these files, or name only the others");
+}
+
+/// Tables without browser sessions that name the participant: they are left, and told.
+int tell_left(const std::vector<fs::path>& files, const std::set<std::string>& ids,
+              const Console& console) {
+  int left = 0;
+  for (const fs::path& file : files) {
+    if (!names_participant(file, ids)) continue;
+    ++left;
+    console.err << fmt::format(
+        "{}: names {} and was not changed, since it has no browser sessions; make it again, or "
+        "delete it\n",
+        file.string(), fmt::join(ids, ", "));
+  }
+  return left;
+}
+
 /// Everything is read before anything is changed.
 int withdraw(const WithdrawOptions& options, const Console& console) {
   const std::vector<fs::path> files =
       files_of_participants({options.files.begin(), options.files.end()});
-  WithdrawnParticipant who{.name = options.participant, .session = {}};
+  WithdrawnParticipant who{.name = options.participant, .session = {}, .ids = {}};
+  refuse_unreadable(files, who, console);
   const std::vector<StoreWithSession> stores = stores_with(files, who);
   const std::vector<FileWithout> changed = files_with(files, who);
+  for (const FileWithout& one : changed)
+    who.ids.insert(one.participants.begin(), one.participants.end());
   if (stores.empty() && changed.empty())
     throw Error({}, motion::in_quotes(options.participant) + " is in none of these files",
                 "give the participant's id, or the code that the last page showed");
@@ -109,7 +150,7 @@ int withdraw(const WithdrawOptions& options, const Console& console) {
     console.out << fmt::format("{}: {} deleted; the session is counted as withdrawn\n",
                                one.store->file().string(), counted(erased, "record", "records"));
   }
-  return exit_done;
+  return tell_left(files, who.ids, console) == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace
@@ -125,12 +166,12 @@ Command study_withdraw_command() {
                                "Files of answers (.db), tables (.csv) and records (.json), or "
                                "folders that contain them")},
           .notes =
-              "Deletes the participant from the file of answers of a served study, from exported "
-              "tables and records,\n"
-              "and from tables that mien wrote from them. The file of answers keeps count of "
-              "withdrawals. Stop a server\n"
-              "that uses the file first. Reports must be made again. Copies elsewhere are not "
-              "found.\n\n"
+              "Deletes the participant from the file of answers of a served study and from "
+              "exported tables and records.\n"
+              "The file of answers keeps count of withdrawals. Stop a server that uses the file "
+              "first. Tables that reports\n"
+              "wrote are named, but not changed (exit code 1): make reports again. Copies "
+              "elsewhere are not found.\n\n"
               "Examples:\n"
               "  mien study withdraw p004 out/emotion-study-answers.db exported/\n"
               "  mien study withdraw 3f2a90c1d4e5b687 lab.db answers.csv participants.csv",

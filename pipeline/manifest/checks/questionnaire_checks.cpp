@@ -153,7 +153,7 @@ class QuestionnaireCheck {
                 "add choices: [sad, happy], or the factor emotion to the stimuli");
     }
     if (form_.stimuli > 1 && !questionnaire_.reference.empty())
-      list_.add(at("reference"), "the stimuli of a pair are already side by side", "omit it");
+      list_.add(at("reference"), "the two stimuli of a pair are already compared", "omit it");
     if (!form_.is_on_scale && questionnaire_.answer.words)
       list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
                 "omit it");

@@ -80,7 +80,8 @@ constexpr auto worth_test_columns = result_table<WorthTestRow>(
      {"p_equal_adjusted", "", "p_equal corrected for multiple comparisons, over the table",
       [](auto& r) { return p_field(r.of.equal_adjusted); }},
      {"order", "log-odds",
-      "order effect: log-odds in favour of the stimulus on the left if both are of equal worth; "
+      "order effect: log-odds in favour of the stimulus on the left (of pairs shown in turn, the "
+      "first) if both are of equal worth; "
       "empty if it cannot be determined",
       [](auto& r) { return r.of.fit.order; }},
      {"order_se", "log-odds", "its standard error, treating all answers as independent",

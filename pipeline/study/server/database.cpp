@@ -34,7 +34,7 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
   if (sqlite3_open_v2(resolved_path(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
     const std::string reason = sqlite3_errmsg(database_);
     sqlite3_close(database_);
-    throw Error({file.string()}, "cannot be opened: " + reason, "name another file with --store");
+    throw Error({file.string()}, "cannot be opened: " + reason, "name another file");
   }
   try {
     // Readable by the owner alone; SQLite gives the log the same permissions.
@@ -62,11 +62,11 @@ void Database::fail() const {
   switch (code) {
     case SQLITE_BUSY:
       throw Error({file_.string()}, "another process has it open",
-                  "stop that server first, or name another file with --store");
+                  "stop that server first, or name another file");
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       throw Error({file_.string()}, "is not a file of answers, or is damaged: " + reason,
-                  "restore a copy, or name another file with --store");
+                  "restore a copy, or name another file");
     default:
       throw WriteFailure(file_.string() + ": cannot be written: " + reason,
                          code == SQLITE_FULL ? std::make_error_code(std::errc::no_space_on_device)

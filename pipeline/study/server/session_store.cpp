@@ -138,7 +138,7 @@ void SessionStore::prepare() {
                 "serve it with the version of mien that made it");
   if (!is_new)
     throw Error({database_.file().string()}, "is a different kind of database",
-                "name another file with --store");
+                "name another file");
   refuse_missing_log(true);
   Transaction transaction(database_);
   database_.run(store_tables);

@@ -90,7 +90,10 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
   if (!study.facts.matching && name == "answers.csv")
     return saved_as(file, csv, answers_csv(study, sessions));
   if (name == "participants.csv") return saved_as(file, csv, participants_csv(study, sessions));
-  if (name == "links.csv") return saved_as(file, csv, links_csv(sessions, base_of(request)));
+  if (name == "links.csv")
+    return saved_as(
+        file, csv,
+        links_csv(sessions, study.public_url.empty() ? base_of(request) : study.public_url));
   if (name == "answers.json")
     return saved_as(file, "application/json; charset=utf-8", answers_json(study, sessions));
   return std::nullopt;

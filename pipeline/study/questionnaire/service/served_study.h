@@ -33,6 +33,9 @@ struct ServedStudy {
   std::map<std::string, ServedFile> page;    ///< by name; "index.html" is the page itself
   std::map<std::string, ServedFile> lab;     ///< the experimenter's page, by name
   QuestionnaireFacts facts;                  ///< read from `experiment`
+  /// Address at which participants reach the server, without a slash at its end; empty: the one at
+  /// which the experimenter's page was asked for.
+  std::string public_url;
   std::unique_ptr<LiveMotions>
       live;  ///< synthesizes the motions of a matching experiment; else null
 };

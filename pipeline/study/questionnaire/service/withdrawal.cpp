@@ -50,7 +50,10 @@ std::optional<FileWithout> table_without(const fs::path& file, std::string_view 
       const std::vector<CsvField>& fields = table.rows.at(row++);
       const std::string& row_session = fields[static_cast<std::size_t>(session)].text;
       is_removed = who.is_row(fields[static_cast<std::size_t>(participant)].text, row_session);
-      if (is_removed) without.sessions.insert(row_session);
+      if (is_removed) {
+        without.sessions.insert(row_session);
+        without.participants.insert(fields[static_cast<std::size_t>(participant)].text);
+      }
     }
     if (is_removed)
       ++without.removed;
@@ -72,16 +75,25 @@ std::string browser_of(const ordered_json& session) {
   return records->front().is_object() ? text_in(records->front(), "session") : "";
 }
 
+/// The browser session of records that a page saved, in a folder or to JATOS; empty for other JSON.
+std::string session_of_page(const ordered_json& records) {
+  if (!records.contains("participant") || !records.contains("records")) return "";
+  return records.contains("session") ? text_in(records, "session") : text_in(records, "name");
+}
+
 std::optional<FileWithout> records_without(const fs::path& file, const std::string& text,
                                            const WithdrawnParticipant& who) {
   ordered_json records = ordered_json::parse(text, nullptr, false);
   if (!records.is_object()) return std::nullopt;
   FileWithout without{.file = file};
   // As a page saves them.
-  if (records.contains("participant") && records.contains("records") && records.contains("name")) {
-    without.is_removed = who.is_row(text_in(records, "participant"), text_in(records, "name"));
+  if (const std::string browser = session_of_page(records); !browser.empty()) {
+    without.is_removed = who.is_row(text_in(records, "participant"), browser);
     without.removed = without.is_removed ? 1 : 0;
-    if (without.is_removed) without.sessions.insert(text_in(records, "name"));
+    if (without.is_removed) {
+      without.sessions.insert(browser);
+      without.participants.insert(text_in(records, "participant"));
+    }
     return without;
   }
   if (text_in(records, "format") != "mien-answers-1" || !records["sessions"].is_array())
@@ -131,6 +143,19 @@ std::optional<FileWithout> without_participant(const fs::path& file,
   if (!reading.bytes) throw Error({file.string()}, reading.error, "check the file");
   if (file.extension() == ".csv") return table_without(file, *reading.bytes, who);
   return records_without(file, *reading.bytes, who);
+}
+
+bool names_participant(const fs::path& file, const std::set<std::string>& ids) {
+  if (file.extension() != ".csv") return false;
+  const motion::FileReading reading = motion::bytes_of_file(file, motion::max_table_bytes);
+  if (!reading.bytes) throw Error({file.string()}, reading.error, "check the file");
+  const CsvTable table = parse_csv(*reading.bytes, file.string());
+  const int participant = find_column(table, "participant");
+  if (participant < 0 || find_column(table, "session") >= 0) return false;
+  return std::ranges::any_of(table.rows, [&](const std::vector<CsvField>& row) {
+    const std::string& id = row[static_cast<std::size_t>(participant)].text;
+    return ids.contains(id.substr(0, id.find('/')));
+  });
 }
 
 std::vector<fs::path> files_of_participants(const std::vector<fs::path>& given) {

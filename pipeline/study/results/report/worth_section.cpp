@@ -134,7 +134,7 @@ std::string worth_section_html(const Results& results, const std::string& figure
           "standard errors and the second intervals (profile likelihood) treat all answers as "
           "independent, so that their p values are too small if answers of the same "
           "participant depend on each other. Order effect: log-odds in favour of the stimulus on "
-          "the left if both are of "
+          "the left (of pairs shown in turn, the first) if both are of "
           "equal worth. Elo ratings contain nothing more than the worths and depend on the order "
           "of the comparisons: they are averaged over random orders, and have no intervals.") +
       html_list("warnings", worth_remarks(results)) + figures + worths_html(results) +

@@ -167,7 +167,7 @@ async function withdraw(): Promise<void> {
     const answer = await fetch("withdrawal", { method: "POST", headers: { "Content-Type": "application/json" },
       body: JSON.stringify({ participant }) });
     const said = (await answer.json()) as { participant?: string; erased?: number; wrong?: string };
-    note.textContent = answer.ok ? `${said.participant}: ${said.erased} records deleted.` : `Not deleted: ${said.wrong}.`;
+    note.textContent = answer.ok ? `${said.participant}: ${said.erased} ${said.erased === 1 ? "record" : "records"} deleted.` : `Not deleted: ${said.wrong}.`;
     if (answer.ok) field.value = "";
   } catch {
     note.textContent = "Not deleted: the server cannot be reached.";

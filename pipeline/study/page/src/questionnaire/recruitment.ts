@@ -103,7 +103,7 @@ export function returnElements(
   const buttons = element("div", { class: "buttons" }, button(label, go, "leave"));
   if (leavesSoon) {
     timer = setTimeout(go, 1000 * leaveAfterSeconds);
-    const soon = address ? texts.leavesSoon : texts.endsSoon;
+    const soon = isProlific ? texts.returnsSoon : address ? texts.leavesSoon : texts.endsSoon;
     const note = element("p", { role: "status" }, soon(leaveAfterSeconds));
     const stay = button(texts.stayHere, () => {
       clearTimeout(timer);

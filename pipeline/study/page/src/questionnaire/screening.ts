@@ -60,9 +60,13 @@ export async function runScreening(
   const startedAt = new Date().toISOString();
   const isLarge = !screening.window || await enlargedWindow(display, texts, screening.window);
   const measured = screening.refresh_hz ? await refreshRate() : null;
-  const keepGiven = ({ responses, started_at: at }: Partial<GivenOnPage>, page: HTMLElement) =>
-    keep({ record: "screening", session, responses: responses ?? [], comment: "", started_at: at ?? startedAt,
-      viewport_width: innerWidth, viewport_height: innerHeight, refresh_hz: measured }, page);
+  const keepGiven = async ({ responses, started_at: at }: Partial<GivenOnPage>, page: HTMLElement) => {
+    // The window may have become smaller while the questions were answered.
+    if (isLarge && screening.window) await enlargedWindow(display, texts, screening.window);
+    await keep({ record: "screening", session, responses: responses ?? [], comment: "", started_at: at ?? startedAt,
+      viewport_width: innerWidth, viewport_height: innerHeight, refresh_hz: measured },
+    page.isConnected ? page : display);
+  };
   const isFast = (measured ?? Infinity) >= (screening.refresh_hz ?? 0);
   const questions = (screening.questions ?? []).map((one) => ({ ...one, required: true }));
   if (!isLarge || !isFast || !questions.length) return keepGiven({}, display);

@@ -58,6 +58,10 @@ TEST_F(Service, ExportsWhatWasGiven) {
             "p002,a1b2,0123abcd,2027-01-15T08:00:00Z,1,completed,,,,31,left\n");
   const nlohmann::json all = nlohmann::json::parse(get(lab() + "answers.json").body);
   EXPECT_EQ(all.at("sessions").at(1).at("records").size(), 9u);
+  study_.public_url = "https://lab.example.org";
+  EXPECT_NE(get(lab() + "links.csv").body.find("p001,https://lab.example.org" + of(0) + "\n"),
+            std::string::npos);
+  study_.public_url.clear();
   EXPECT_EQ(get(lab() + "links.csv").body, "participant,link\np001,http://here:80" + of(0) +
                                                "\np002,http://here:80" + of(1) + "\n");
 }

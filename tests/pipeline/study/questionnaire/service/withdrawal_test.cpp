@@ -106,13 +106,14 @@ FileWithout table_without(const WithdrawnParticipant& who) {
 }
 
 TEST(WithdrawalFromTables, KeepsAllOtherBytes) {
-  EXPECT_EQ(table_without({.name = "p002", .session = {}}).text, head + first + "\n" + third);
-  EXPECT_EQ(table_without({.name = "p001", .session = {}}).text, head + second);
-  EXPECT_EQ(table_without({.name = "p001", .session = {}}).removed, 2);
-  EXPECT_EQ(table_without({.name = "cc", .session = {}}).text, head + first + second);
-  EXPECT_EQ(table_without({.name = "p001", .session = "aa"}).text, head + second + third)
+  EXPECT_EQ(table_without({.name = "p002", .session = {}, .ids = {}}).text,
+            head + first + "\n" + third);
+  EXPECT_EQ(table_without({.name = "p001", .session = {}, .ids = {}}).text, head + second);
+  EXPECT_EQ(table_without({.name = "p001", .session = {}, .ids = {}}).removed, 2);
+  EXPECT_EQ(table_without({.name = "cc", .session = {}, .ids = {}}).text, head + first + second);
+  EXPECT_EQ(table_without({.name = "p001", .session = "aa", .ids = {}}).text, head + second + third)
       << "the browser session tells people of one id apart";
-  EXPECT_EQ(table_without({.name = "p0", .session = {}}).removed, 0);
+  EXPECT_EQ(table_without({.name = "p0", .session = {}, .ids = {}}).removed, 0);
 }
 
 TEST_F(Withdrawal, TakesTheSessionOutOfRecords) {
@@ -120,20 +121,36 @@ TEST_F(Withdrawal, TakesTheSessionOutOfRecords) {
   give_all(1, "c1c1");
   const auto file = folder_.path() / "walks-answers.json";
   write_file(file, get(lab() + "answers.json").body);
-  const auto without = without_participant(file, {.name = "p001", .session = {}});
+  const auto without = without_participant(file, {.name = "p001", .session = {}, .ids = {}});
   ASSERT_TRUE(without);
   EXPECT_EQ(without->removed, 1);
   EXPECT_EQ(without->text.find("b0b0"), std::string::npos);
   EXPECT_EQ(json::parse(without->text).at("sessions").size(), 1u);
   const auto page = folder_.path() / "records.json";
   write_file(page, R"({"participant": "p001", "name": "b0b0", "records": {}})");
-  EXPECT_TRUE(without_participant(page, {.name = "b0b0", .session = {}})->is_removed);
-  EXPECT_FALSE(without_participant(page, {.name = "c1c1", .session = {}})->is_removed);
+  EXPECT_TRUE(without_participant(page, {.name = "b0b0", .session = {}, .ids = {}})->is_removed);
+  const auto saved = folder_.path() / "saved.json";
+  write_file(saved, R"({"format": "mien-session-1", "participant": "p001", "session": "b0b0",
+                        "records": {}})");
+  EXPECT_TRUE(without_participant(saved, {.name = "b0b0", .session = {}, .ids = {}})->is_removed);
+  EXPECT_TRUE(without_participant(saved, {.name = "p001", .session = {}, .ids = {}})->is_removed);
+  EXPECT_FALSE(without_participant(page, {.name = "c1c1", .session = {}, .ids = {}})->is_removed);
+}
+
+TEST(WithdrawalFromTables, FindsTablesThatNameTheParticipantAlone) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "sessions.csv";
+  write_file(file, "participant,trials\np001,3\np003/ab,4\n");
+  EXPECT_TRUE(names_participant(file, {"p001"}));
+  EXPECT_TRUE(names_participant(file, {"p009", "p003"}));
+  EXPECT_FALSE(names_participant(file, {"p002"}));
+  write_file(file, "participant,session\np001,aa\n");
+  EXPECT_FALSE(names_participant(file, {"p001"})) << "its rows are deleted";
 }
 
 TEST(WithdrawalFromTables, LeavesOtherFilesAlone) {
   const test::TemporaryFolder folder;
-  const WithdrawnParticipant who{.name = "p001", .session = {}};
+  const WithdrawnParticipant who{.name = "p001", .session = {}, .ids = {}};
   write_file(folder.path() / "a.csv", "participant,value\np001,3\n");
   EXPECT_FALSE(without_participant(folder.path() / "a.csv", who)) << "without sessions";
   write_file(folder.path() / "a.json", "[1]");
