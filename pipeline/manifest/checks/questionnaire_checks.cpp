@@ -219,12 +219,24 @@ class QuestionnaireCheck {
     std::set<std::string> taken;
     const auto check_all = [&](const std::string& list_path, const auto& questions) {
       for (std::size_t i = 0; i < questions.size(); ++i) {
-        const std::string path = member_path(element_path(list_path, i), "id");
-        check_question_id(path, questions[i].id, taken);
+        const std::string path = element_path(list_path, i);
+        check_question_id(member_path(path, "id"), questions[i].id, taken);
+        check_answer_choices(member_path(path, "answer"), questions[i].answer.choices);
       }
     };
+    if (!questionnaire_.consent_version.empty() && questionnaire_.consent.empty())
+      list_.add_at_key(at("consent_version"), "there is no consent text",
+                       "add consent: …, or remove it");
     check_all(member_path(at("screening"), "questions"), questionnaire_.screening.questions);
     check_all(at("demographics"), questionnaire_.demographics);
+  }
+
+  void check_answer_choices(const std::string& path, const Names& choices) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      if (!taken.insert(choices[i]).second)
+        list_.add(element_path(path, i), motion::in_quotes(choices[i]) + " appears twice",
+                  "name it once");
   }
 
   void check_question_id(const std::string& path, const std::string& id,

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <string>
+#include <string_view>
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
@@ -61,7 +63,14 @@ std::vector<Fault> check_recruitment(const Manifest& manifest) {
                motion::in_quotes(name) + " appears twice", "name it once");
     met.push_back(name);
   }
+  std::map<std::string, std::string_view> codes;
   for (const auto& [word, end] : session_end_words) {
+    const std::string& code = recruitment.prolific.of(end);
+    const auto [first, is_new] = codes.emplace(code, word);
+    if (!code.empty() && !is_new)
+      list.add(member_path(member_path(at, "prolific"), std::string(word)),
+               motion::in_quotes(code) + " is also the code of " + std::string(first->second),
+               "make a code for each end at Prolific");
     const std::string& address = recruitment.redirect.of(end);
     if (address.empty()) continue;
     const std::string path = member_path(member_path(at, "redirect"), std::string(word));

@@ -43,6 +43,15 @@ BarChart pair_chart(const AnswerSet& answer_set, const std::string& item) {
   return chart;
 }
 
+std::string pair_caption(const AnswerSet& answer_set, const std::string& item) {
+  const bool has_ties =
+      std::ranges::any_of(answer_set.preferences, [&](const AnalysedPreference& preference) {
+        return preference.is_tie && preference.item == item;
+      });
+  return std::string("Proportion of choices with 95 % Wilson intervals; chance is one half.") +
+         (has_ties ? " Answers without a preference (ties) are left out." : "");
+}
+
 /// Adds the figures of the pairs of one question.
 void add_pairs(const AnswerSet& answer_set, const std::string& item,
                const std::vector<const PreferenceCount*>& pairs, std::size_t number,
@@ -54,8 +63,7 @@ void add_pairs(const AnswerSet& answer_set, const std::string& item,
   }
   const std::string name =
       "pairs-" + item + (number > 0 ? fmt::format("-{}", number + 1) : std::string());
-  figures.push_back({name, "preferences", "", "",
-                     "Proportion of choices with 95 % Wilson intervals; chance is one half.",
+  figures.push_back({name, "preferences", "", "", pair_caption(answer_set, item),
                      with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 

@@ -132,6 +132,7 @@ const Surroundings surroundings[] = {
     {"questionnaire.view", with_questions_and_glb, "{}"},
     {"questionnaire.choices", with_questions, R"({"trials": "emotion"})"},
     {"questionnaire.pairs", with_questions, R"({"trials": "pair"})"},
+    {"questionnaire.consent_version", with_questions, R"({"consent": "Yes."})"},
     {"questionnaire.display.distance_cm", with_questions, R"({"size": {"degrees": 12}})"},
     {"questionnaire.preference.", with_pairs, "{}"},
     {"questionnaire.preference", with_questions, R"({"trials": "pair"})"},
