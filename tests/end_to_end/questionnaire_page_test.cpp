@@ -295,6 +295,8 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   EXPECT_EQ(run.at("withdrawn").at("still_offered"), 0);
   EXPECT_NE(said("withdrawn").find("your answers have been deleted"), std::string::npos);
   EXPECT_NE(said("withdrawn").find("We wanted to know"), std::string::npos);
+  EXPECT_EQ(run.at("withdrawn").at("remembered").get<std::string>().find("5f07"),
+            std::string::npos);
   EXPECT_NE(run.at("withdrawn").at("again").get<std::string>().find("have been deleted"),
             std::string::npos);
   EXPECT_EQ(run.at("session").get<std::string>().find("CDONE"), std::string::npos);

@@ -77,15 +77,11 @@ void refuse_shared_id(const std::vector<FileWithout>& changed, const WithdrawnPa
         "give the code that the participant's last page showed");
 }
 
-std::string counted(int number, const char* one, const char* more) {
-  return fmt::format("{} {}", number, number == 1 ? one : more);
-}
-
 /// Reads all files before anything is changed. Prints which cannot be read; throws Error if there
 /// are any.
 void refuse_unreadable(const std::vector<fs::path>& files, const WithdrawnParticipant& who,
                        const Console& console) {
-  int unreadable = 0;
+  bool is_unreadable = false;
   for (const fs::path& file : files) {
     try {
       if (file.extension() == ".db")
@@ -93,19 +89,19 @@ void refuse_unreadable(const std::vector<fs::path>& files, const WithdrawnPartic
       else
         without_participant(file, who);
     } catch (const Error& error) {
-      ++unreadable;
+      is_unreadable = true;
       console.err << error.what() << '\n';
     }
   }
-  if (unreadable > 0)
-    throw Error(fmt::format("nothing was deleted, as {} cannot be read",
-                            counted(unreadable, "file", "files")),
-                "mend these files, or name only the others");
+  if (is_unreadable)
+    throw Error("nothing was deleted, because not all files can be read",
+                "mend those above, or name only the others");
 }
 
-/// Tables without browser sessions that name the participant: they are left, and told.
-int tell_left(const std::vector<fs::path>& files, const std::set<std::string>& ids,
-              const Console& console) {
+/// Prints which tables name the participant but have no browser sessions, so that they are not
+/// changed. Returns their number.
+int print_tables_to_remake(const std::vector<fs::path>& files, const std::set<std::string>& ids,
+                           const Console& console) {
   int left = 0;
   for (const fs::path& file : files) {
     if (!names_participant(file, ids)) continue;
@@ -138,19 +134,17 @@ int withdraw(const WithdrawOptions& options, const Console& console) {
       console.out << fmt::format("{}: deleted\n", one.file.string());
     } else {
       write_file(one.file, one.text);
-      const bool is_table = one.file.extension() == ".csv";
-      console.out << fmt::format("{}: {} deleted\n", one.file.string(),
-                                 is_table ? counted(one.removed, "row", "rows")
-                                          : counted(one.removed, "session", "sessions"));
+      console.out << fmt::format("{}: {} deleted: {}\n", one.file.string(),
+                                 one.file.extension() == ".csv" ? "rows" : "sessions", one.removed);
     }
   }
   for (const StoreWithSession& one : stores) {
     const int erased = one.store->erase_records(
         one.session, std::string(word_of(session_end_words, SessionEnd::withdrawn)));
-    console.out << fmt::format("{}: {} deleted; the session is counted as withdrawn\n",
-                               one.store->file().string(), counted(erased, "record", "records"));
+    console.out << fmt::format("{}: records deleted: {}; the session is counted as withdrawn\n",
+                               one.store->file().string(), erased);
   }
-  return tell_left(files, who.ids, console) == 0 ? exit_done : exit_failed;
+  return print_tables_to_remake(files, who.ids, console) == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace

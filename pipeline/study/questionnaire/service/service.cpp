@@ -35,6 +35,14 @@ HttpResponse message_page(int status, const std::string& english, const std::str
                                 html_escaped(japanese) + "</p>")};
 }
 
+/// The posted JSON; discarded if it is malformed or nested too deeply.
+nlohmann::json json_of(const HttpRequest& request) {
+  constexpr std::size_t deepest = 16;
+  if (motion::is_nested_deeper(request.body, deepest))
+    return nlohmann::json(nlohmann::json::value_t::discarded);
+  return nlohmann::json::parse(request.body, nullptr, false);
+}
+
 /// Parses the posted record, checks that its name is that in the path, and returns the response of
 /// `take`. Where `salt` is given, the values of URL parameters are replaced by hashes.
 HttpResponse with_record(
@@ -42,10 +50,7 @@ HttpResponse with_record(
     const std::function<HttpResponse(const PageRecord&, const std::string&)>& take) {
   if (!is_json(request))
     return http_refusal(415, "type", "this is not JSON", "send Content-Type: application/json");
-  constexpr std::size_t deepest = 16;  // nesting of JSON
-  nlohmann::json text = motion::is_nested_deeper(request.body, deepest)
-                            ? nlohmann::json(nlohmann::json::value_t::discarded)
-                            : nlohmann::json::parse(request.body, nullptr, false);
+  nlohmann::json text = json_of(request);
   if (text.is_discarded())
     return http_refusal(400, "malformed", "this is not JSON", "load the page again");
   try {
@@ -61,7 +66,7 @@ HttpResponse with_record(
 /// A text in the posted JSON; nullopt if it is not there.
 std::optional<std::string> text_in(const HttpRequest& request, const char* member) {
   if (!is_json(request)) return std::nullopt;
-  const nlohmann::json given = nlohmann::json::parse(request.body, nullptr, false);
+  const nlohmann::json given = json_of(request);
   if (!given.is_object()) return std::nullopt;
   const auto found = given.find(member);
   if (found == given.end() || !found->is_string()) return std::nullopt;

@@ -106,6 +106,7 @@ std::optional<FileWithout> records_without(const fs::path& file, const std::stri
     if (is_removed) {
       ++without.removed;
       without.sessions.insert(browser);
+      without.participants.insert(text_in(session, "participant"));
     } else {
       kept.push_back(std::move(session));
     }
@@ -164,15 +165,18 @@ std::vector<fs::path> files_of_participants(const std::vector<fs::path>& given) 
   const auto is_ours = [](const fs::path& file) {
     return file.extension() == ".db" || file.extension() == ".csv" || file.extension() == ".json";
   };
-  for (const fs::path& path : given) {
+  for (const fs::path& named : given) {
+    std::error_code unknown;
+    const fs::path path = fs::canonical(named, unknown);
+    if (unknown) throw Error({named.string()}, "does not exist", "check the name");
     if (!fs::is_directory(path)) {
-      if (!fs::exists(path)) throw Error({path.string()}, "does not exist", "check the name");
       files.insert(path);
       continue;
     }
     for (const fs::directory_entry& entry :
          fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied)) {
-      if (entry.is_regular_file() && is_ours(entry.path())) files.insert(entry.path());
+      const bool is_file = entry.is_regular_file() && !entry.is_symlink();
+      if (is_file && is_ours(entry.path())) files.insert(entry.path());
       if (files.size() > most_files)
         throw Error({path.string()}, "holds more than 100,000 files", "name the files");
     }

@@ -54,9 +54,10 @@ std::optional<FileWithout> without_participant(const std::filesystem::path& file
 /// other files.
 bool names_participant(const std::filesystem::path& file, const std::set<std::string>& ids);
 
-/// Files in which a participant may be: the given ones, and in given folders and the folders below
-/// them all session stores (.db), tables (.csv) and records (.json), sorted. Throws Error for what
-/// does not exist and for more than 100,000 files.
+/// Files in which a participant may be, each once and sorted: the given ones, and in given folders
+/// and the folders below them all session stores (.db), tables (.csv) and records (.json). Links in
+/// folders are not followed, so that nothing outside is changed. Throws Error for what does not
+/// exist and for more than 100,000 files.
 std::vector<std::filesystem::path> files_of_participants(
     const std::vector<std::filesystem::path>& given);
 

@@ -134,6 +134,14 @@ TEST(DesignHash, IsOfWhatParticipantsSee) {
   };
   EXPECT_EQ(hash(""), hash(", pace: {answer: 9}"));
   EXPECT_EQ(hash(""), hash(", analysis: {alpha: 0.01}"));
+  const auto screened = [&](const std::string& more) {
+    return hash(", screening: {questions: [{id: eyes, ask: x, answer: [a, b]" + more + "}");
+  };
+  EXPECT_NE(hash(""), screened("}]"));
+  EXPECT_NE(screened("}]"), screened(", accept: a}]"));
+  EXPECT_EQ(screened("}]"), screened("}], quotas: [{of: {eyes: a}, at_most: 3}]"));
+  EXPECT_NE(hash(""), hash(", debriefing: yes or no"));
+  EXPECT_NE(hash(""), hash(", display: {size: native}"));
   EXPECT_NE(hash(""), hash(", comments: true"));
   EXPECT_NE(hash(""), hash(", consent: yes or no"));
   EXPECT_NE(hash(""), hash(", order: latin"));

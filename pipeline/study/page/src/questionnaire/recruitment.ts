@@ -40,6 +40,10 @@ export function rememberParameters(experiment: Recruited, session: string, param
   if (Object.keys(parameters).length) memoryOf(experiment, session).write(parameters);
 }
 
+/** Deletes them from this browser; called when the participant has withdrawn. */
+export const forgetParameters = (experiment: Recruited, session: string): void =>
+  memoryOf(experiment, session).clear();
+
 /** The values as records hold them: hashed, if the study asks for that; a server hashes them itself. */
 export async function keptParameters(
   experiment: Recruited, values: Parameters, byServer: boolean): Promise<Parameters> {

@@ -7,15 +7,16 @@ import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { showTextPage } from "./text_view";
 import { SessionClosed, type Store } from "./store";
-import { destinationOf, returnElements, type Parameters } from "./recruitment";
+import { destinationOf, forgetParameters, returnElements, type Parameters } from "./recruitment";
 import { base, root, show, type Mode } from "./surroundings";
 import type { Texts } from "./texts";
 import { endWithdrawalOffer, offerWithdrawal } from "./withdrawal";
 
-type WithdrawnFrom = Pick<Store, "withdraw">;
+type WithdrawnFrom = Pick<Store, "name" | "withdraw">;
 
 /** Of any experiment. */
 export interface Frame {
+  design: string;
   title: string;
   language: string;
   texts: { debriefing?: string[]; ending: string[] };
@@ -70,6 +71,7 @@ export function showEarlyEnd(
 export function mayWithdraw(experiment: Frame, store: WithdrawnFrom, texts: Texts, parameters: Parameters): void {
   if (!store.withdraw) return;
   offerWithdrawal(texts, () => store.withdraw!(), (told) => {
+    forgetParameters(experiment, store.name);
     const { recruitment } = experiment;
     const destination = told ?? (recruitment && destinationOf(recruitment, "withdrawn"));
     showEarlyEnd(texts, [texts.withdrawn, ...(experiment.texts.debriefing ?? [])], { parameters, destination });

@@ -417,7 +417,8 @@ async function prolific() {
     return true;
   } });
   const left = leaving.url();
-  const withdrawn = { offered, still_offered: await offer.count(), ...(await backOf(leaving)) };
+  const remembered = await leaving.evaluate(() => JSON.stringify(localStorage));
+  const withdrawn = { remembered, offered, still_offered: await offer.count(), ...(await backOf(leaving)) };
   await leaving.goto(left);
   withdrawn.again = await text(leaving);
 

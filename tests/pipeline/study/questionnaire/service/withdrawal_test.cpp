@@ -44,6 +44,9 @@ TEST_F(Withdrawal, IsForTheBrowserOfTheSessionAlone) {
   EXPECT_EQ(withdraw(1, "").status, 409) << "a session that has not begun";
   EXPECT_EQ(ask("GET", of(0) + "withdrawal").status, 405);
   EXPECT_EQ(ask("POST", of(0) + "withdrawal", "{").status, 400);
+  const std::string deep =
+      R"({"session": "b0b0", "x": )" + std::string(17, '[') + std::string(17, ']') + "}";
+  EXPECT_EQ(ask("POST", of(0) + "withdrawal", deep).status, 400);
   EXPECT_EQ(ask("POST", of(0) + "withdrawal", "{\"session\": 7}").status, 400);
   EXPECT_EQ(service_.sessions().state(0).stored, 1u);
 }
@@ -146,6 +149,20 @@ TEST(WithdrawalFromTables, FindsTablesThatNameTheParticipantAlone) {
   EXPECT_FALSE(names_participant(file, {"p002"}));
   write_file(file, "participant,session\np001,aa\n");
   EXPECT_FALSE(names_participant(file, {"p001"})) << "its rows are deleted";
+}
+
+TEST(WithdrawalFromTables, AreEachTakenOnceAndNotThroughLinksOutOfTheirFolder) {
+  const test::TemporaryFolder folder, elsewhere;
+  const auto table = canonical(folder.path()) / "a.csv";
+  write_file(table, "participant,session\n");
+  write_file(elsewhere.path() / "b.csv", "participant,session\n");
+  std::filesystem::create_symlink(elsewhere.path() / "b.csv", folder.path() / "b.csv");
+  EXPECT_EQ(files_of_participants({folder.path(), folder.path() / "." / "a.csv"}),
+            std::vector<std::filesystem::path>{table});
+  EXPECT_EQ(files_of_participants({folder.path() / "b.csv"}),
+            std::vector<std::filesystem::path>{canonical(elsewhere.path()) / "b.csv"})
+      << "who names a link means its file";
+  EXPECT_THROW(files_of_participants({folder.path() / "c.csv"}), Error);
 }
 
 TEST(WithdrawalFromTables, LeavesOtherFilesAlone) {
