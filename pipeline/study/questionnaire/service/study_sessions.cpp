@@ -149,7 +149,7 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   const bool is_stored_before = position < static_cast<std::ptrdiff_t>(state.stored);
   if (state.ended && !is_stored_before) return {.ended = state.ended};
   const bool is_turned_away =
-      record.name == screening_record && fault_of(state, record) != ScreeningFault::none;
+      record.name == screening_record && fault_of(record) != ScreeningFault::none;
   const std::string ended =
       is_turned_away ? std::string(word_of(session_end_words, SessionEnd::screened_out)) : "";
   const RecordOutcome outcome = store_.keep({.session = session,
@@ -167,22 +167,22 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   return {.outcome = outcome, .next = is_over ? "" : state.names[state.stored]};
 }
 
-ScreeningFault StudySessions::fault_of(const SessionState& state, const PageRecord& record) const {
+ScreeningFault StudySessions::fault_of(const PageRecord& record) const {
   const ScreeningFault own = screening_fault(study_.facts.screening, record);
   if (own != ScreeningFault::none) return own;
   const bool is_full = std::ranges::any_of(study_.facts.screening.quotas, [&](const Quota& quota) {
-    return counts_for(quota, record.responses) && is_quota_full(quota, state.session.index);
+    return counts_for(quota, record.responses) && is_quota_full(quota);
   });
   return is_full ? ScreeningFault::quota : ScreeningFault::none;
 }
 
 /// Participants who have finished or are following their plan count. The caller must prevent others
 /// from passing the screening meanwhile.
-bool StudySessions::is_quota_full(const Quota& quota, int besides) const {
+bool StudySessions::is_quota_full(const Quota& quota) const {
   const auto counted = std::ranges::count_if(states_, [&](const SessionState& state) {
     const bool is_there =
         state.has_finished() || (state.is_under_way() && state.is_online(clock_()));
-    return is_there && state.session.index != besides && counts_for(quota, state.screening);
+    return is_there && counts_for(quota, state.screening);
   });
   return counted >= quota.at_most;
 }

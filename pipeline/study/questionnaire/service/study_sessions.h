@@ -108,9 +108,9 @@ class StudySessions {
   void begin();
   void mark_begun(SessionState& state);
   void load();
-  bool is_quota_full(const Quota& quota, int besides) const;
-  /// Why the screening turns the participant of a session away.
-  ScreeningFault fault_of(const SessionState& state, const PageRecord& record) const;
+  bool is_quota_full(const Quota& quota) const;
+  /// Why the screening turns away the participant who sends this record.
+  ScreeningFault fault_of(const PageRecord& record) const;
   void add_state(const StoredSession& session);
   void count(SessionState& state, const PageRecord& record);
   bool is_full() const;
