@@ -15,6 +15,7 @@
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
+#include "pipeline/production/design/design_warnings.h"
 #include "pipeline/production/run/rehearsal.h"
 #include "pipeline/production/synthesis/parameter_request.h"
 
@@ -124,7 +125,11 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   findings.faults = rehearse(rehearsed, motions);
   findings.stimuli = reading.manifest.stimuli.size();
   findings.rehearsed = rehearsed.stimuli.size();
-  if (findings.faults.empty()) findings.requested = requested_parameters(reading.manifest, motions);
+  if (!findings.faults.empty()) return findings;
+  findings.requested = requested_parameters(reading.manifest, motions);
+  for (const DesignWarning& warning :
+       design_warnings(rehearsed, planned_design(rehearsed, motions)))
+    findings.warnings.push_back(design_fault(warning, reading.manifest.places));
   return findings;
 }
 

@@ -9,6 +9,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
+#include "pipeline/manifest/design.h"
 #include "pipeline/manifest/examples.h"
 #include "pipeline/manifest/matching.h"
 #include "pipeline/manifest/output.h"
@@ -94,6 +95,7 @@ struct Manifest {
   OnFault on_fault = OnFault::warn;
   Equalize equalize;
   RegressionLimits regression;
+  Design design;
   std::vector<Stimulus> stimuli;
   std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
@@ -127,6 +129,7 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field("on_fault", manifest.on_fault, concerns::motion, fault_words);
   field.by("equalize", manifest.equalize, concerns::picture, EqualizeForm());
   field("regression", manifest.regression, concerns::nothing);
+  field("design", manifest.design, concerns::page);
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });
   field.each("overlays", manifest.overlays, concerns::nothing,

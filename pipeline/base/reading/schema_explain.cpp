@@ -123,6 +123,11 @@ class Explainer {
     return true;
   }
 
+  std::string example_or(const char* remedy) const {
+    const std::string example = example_of(node_);
+    return example.empty() ? remedy : example;
+  }
+
   void explain_choice() {
     const json& choices = node_["enum"];
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
@@ -167,7 +172,7 @@ class Explainer {
   void explain_text() {
     const auto& text = value_.get_ref<const std::string&>();
     if (node_.contains("minLength") && count_characters(text) < node_["minLength"])
-      add("must not be empty", example_of(node_));
+      add("must not be empty", example_or("write a text"));
     if (node_.contains("pattern") &&
         !std::regex_search(text, std::regex(node_["pattern"].get<std::string>())))
       add(shown(value_) + " " + node_["x-rule"].get<std::string>(), example_of(node_));
@@ -180,12 +185,14 @@ class Explainer {
     const std::string range = least == most           ? std::to_string(least)
                               : value_.size() < least ? "at least " + std::to_string(least)
                                                       : "at most " + std::to_string(most);
-    add(fmt::format("has {} elements but must have {}", value_.size(), range), example_of(node_));
+    add(fmt::format("has {} element{} but must have {}", value_.size(),
+                    value_.size() == 1 ? "" : "s", range),
+        example_or(value_.size() < least ? "add elements" : "remove some"));
   }
 
   void explain_object() {
     if (value_.size() < node_.value("minProperties", std::size_t{0}))
-      add("must not be empty", example_of(node_));
+      add("must not be empty", example_or("state at least one of its keys, or omit it"));
     explain_missing_keys();
     explain_unknown_keys();
     if (node_.contains("oneOf")) explain_exclusive_keys();

@@ -86,6 +86,7 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
   append(faults, check_equalized(manifest, manifest.equalize.place, has_own_place, "position",
                                  "omit place, or give that camera a view"));
   append(faults, check_modifications(manifest));
+  append(faults, check_design(manifest));
   append(faults, check_licences(manifest));
   return faults;
 }

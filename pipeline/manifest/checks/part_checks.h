@@ -41,6 +41,9 @@ std::vector<Fault> check_modifications(const Manifest& manifest);
 /// Returns a fault for each example that a modification names and that does not exist.
 std::vector<Fault> check_modification_names(const Manifest& manifest, const Vocabulary& vocabulary);
 
+/// Returns faults of `design`: unknown factors, and unknown properties that they vary.
+std::vector<Fault> check_design(const Manifest& manifest);
+
 /// Return faults of overlays and sheets whose parts are inconsistent.
 std::vector<Fault> check_overlays(const Manifest& manifest);
 std::vector<Fault> check_sheets(const Manifest& manifest);

@@ -37,8 +37,8 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
   } else {
     list.add(path,
              fmt::format("attention checks exclude nobody: a session of {} trials has {}, and "
-                         "analysis.max_failed_checks allows {} failures",
-                         trials, checks, failed),
+                         "analysis.max_failed_checks allows {} failure{}",
+                         trials, checks, failed, failed == 1 ? "" : "s"),
              "use a smaller number, or analysis: {max_failed_checks: 0}");
   }
   return list.take();

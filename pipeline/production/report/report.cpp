@@ -8,7 +8,9 @@
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/manifest/repetitions.h"
+#include "pipeline/production/design/design_warnings.h"
 #include "pipeline/production/methods/study_facts.h"
+#include "pipeline/production/report/design_section.h"
 #include "pipeline/production/report/recordings_section.h"
 #include "pipeline/production/report/report_sections.h"
 #include "pipeline/tasks/code_identity.h"
@@ -167,9 +169,12 @@ std::string links_to_neighbours(const std::vector<ReportPart>& parts, std::size_
 }
 
 /// Warnings about the examples and about several stimuli; those of one stimulus are on its card.
-std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions) {
+std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& motions,
+                                         const DesignFindings& design) {
   std::vector<std::string> warnings;
   if (blends_examples(manifest)) warnings = motions.repertoire().warnings;
+  for (const DesignWarning& warning : design_warnings(manifest, design))
+    warnings.push_back(to_sentence(warning));
   std::vector<std::string> repetitions = repetition_warnings(manifest);
   const std::size_t shown = std::min(repetitions.size(), most_warnings_of_one_kind);
   warnings.insert(warnings.end(), repetitions.begin(),
@@ -183,9 +188,10 @@ std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& moti
 
 }  // namespace
 
-std::string report(const Manifest& manifest, Motions& motions, const Methods& methods) {
+std::string report(const Manifest& manifest, Motions& motions, const Methods& methods,
+                   const DesignFindings& design) {
   std::string body = page_header(manifest, motions) + "<main>\n";
-  body += html_list("warnings", warnings_of_all(manifest, motions));
+  body += html_list("warnings", warnings_of_all(manifest, motions, design));
   const std::vector<ReportPart> parts = report_parts(manifest);
   body += findings_section(manifest, motions);
   if (parts.empty()) {
@@ -196,7 +202,7 @@ std::string report(const Manifest& manifest, Motions& motions, const Methods& me
   } else {
     body += parts_section(parts, manifest) + stills_section(manifest, motions);
   }
-  body += recordings_section(manifest, motions);
+  body += design_section(design.properties) + recordings_section(manifest, motions);
   if (blends_examples(manifest)) body += ratings_section(manifest, motions.repertoire());
   body += methods_section(methods) + "</main>\n" + page_footer(manifest);
   return html_page(manifest.study + " · mien", report_style, body);

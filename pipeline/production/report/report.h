@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/design/design_warnings.h"
 #include "pipeline/production/methods/methods.h"
 #include "pipeline/production/report/report_parts.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -15,7 +16,8 @@ namespace mien::pipeline {
 /// contact sheets and comparison sheets are linked by paths relative to the study's folder; styles
 /// are inline. For a large study (report_parts.h), the page contains only the common parts and
 /// links to the other pages.
-std::string report(const Manifest& manifest, Motions& motions, const Methods& methods);
+std::string report(const Manifest& manifest, Motions& motions, const Methods& methods,
+                   const DesignFindings& design);
 
 /// Returns the page of one of the study's parts.
 std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,

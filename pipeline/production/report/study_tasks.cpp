@@ -75,7 +75,8 @@ Task report_task(const Manifest& manifest, Motions& motions, const Hash& study,
   task.cost_seconds = report_cost_seconds * static_cast<double>(1 + parts.size());
   task.make = [&manifest, &motions, parts](TaskRun& run) {
     const Methods methods = methods_of(manifest, motions);
-    put_page(run, 0, report(manifest, motions, methods));
+    const DesignFindings design = filmed_design(manifest, motions, run.store.folder());
+    put_page(run, 0, report(manifest, motions, methods, design));
     put_page(run, 1, methods.markdown);
     put_page(run, 2, methods.bibtex);
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/production/design/close_levels.h"
+#include "pipeline/production/design/confounds.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
@@ -25,6 +27,8 @@ std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots,
   for (const TableForm& form : study_table_forms()) forms.push_back(form);
   for (const TableForm& form : film_table_forms()) forms.push_back(form);
   forms.push_back(warnings_form);
+  forms.push_back(confounds_form);
+  forms.push_back(close_levels_form);
   if (equalize.duration) forms.push_back(durations_form);
   if (equalize.size) forms.push_back(sizes_form);
   if (equalize.place) forms.push_back(places_form);

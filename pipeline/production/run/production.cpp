@@ -37,9 +37,11 @@ void check_json(const fs::path& file) {
     throw std::runtime_error(file.string() + " is incomplete");
 }
 
-/// The task "design": metrics/stimuli.csv, metrics/warnings.csv (stimuli_table.h) and
-/// metrics/codebook.json (codebook.h). It reads the products of the motions, clips and films of
-/// `graph`. `study` is the study's key; `manifest` and `motions` outlive the task.
+/// The task "design": metrics/stimuli.csv, metrics/warnings.csv (stimuli_table.h),
+/// metrics/codebook.json (codebook.h) metrics/confounds.csv (confounds.h) and
+/// metrics/close_levels.csv (close_levels.h). It reads the
+/// products of the motions, clips and films of `graph`. `study` is the study's key; `manifest` and
+/// `motions` outlive the task.
 Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
                  const TaskGraph& graph) {
   Task task;
@@ -51,13 +53,18 @@ Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
   }
   task.products = {{std::string(stimuli_form.path), {}},
                    {std::string(warnings_form.path), {}},
-                   {"metrics/codebook.json", {}}};
+                   {"metrics/codebook.json", {}},
+                   {std::string(confounds_form.path), {}},
+                   {std::string(close_levels_form.path), {}}};
   task.cost_seconds = cost_seconds;
   task.make = [&manifest, &motions](TaskRun& run) {
     const fs::path& folder = run.store.folder();
     run.put_text(0, stimuli_csv(manifest, motions, folder), read_csv);
-    run.put_text(1, warnings_csv(manifest, motions, folder), read_csv);
+    const DesignFindings design = filmed_design(manifest, motions, folder);
+    run.put_text(1, warnings_csv(manifest, motions, folder, design), read_csv);
     run.put_text(2, codebook_json(manifest), check_json);
+    run.put_text(3, confounds_csv(design.properties), read_csv);
+    run.put_text(4, close_levels_csv(design.close), read_csv);
   };
   return task;
 }

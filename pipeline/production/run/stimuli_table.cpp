@@ -12,6 +12,7 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/repetitions.h"
+#include "pipeline/production/design/design_warnings.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
@@ -182,9 +183,10 @@ struct WarningRow {
 
 constexpr auto warnings_columns = table_of<WarningRow>(
     "metrics/warnings.csv", "warning",
-    {{"stimulus", "", "id of the stimulus or overlay; empty for warnings about the examples",
+    {{"stimulus", "",
+      "id of the stimulus or overlay; empty for warnings about examples and factors",
       [](auto& r) { return r.stimulus; }},
-     {"about", "", "examples, design (relations among stimuli), motion or film",
+     {"about", "", "examples, design (factors, and relations among stimuli), motion or film",
       [](auto& r) { return r.about; }},
      {"warning", "", "a sentence", [](auto& r) { return r.sentence; }}});
 
@@ -209,12 +211,15 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::pa
   return stimuli_columns.of(rows, factors).csv;
 }
 
-std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::path& folder) {
+std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::path& folder,
+                         const DesignFindings& design) {
   std::vector<WarningRow> rows;
   if (uses_examples(manifest)) {
     for (const std::string& warning : motions.repertoire().warnings)
       rows.push_back({"", "examples", warning});
   }
+  for (const DesignWarning& warning : design_warnings(manifest, design))
+    rows.push_back({"", "design", to_sentence(warning)});
   for (const Repetition& repetition : repetitions_in(manifest))
     rows.push_back({repetition.id, "design", to_sentence(repetition)});
   for (const Stimulus& stimulus : manifest.stimuli) {

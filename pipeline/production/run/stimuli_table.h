@@ -5,6 +5,7 @@
 
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/design/design_warnings.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
@@ -18,8 +19,10 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions,
                         const std::filesystem::path& folder);
 
 /// Returns the warnings of a run about examples, design, motions and films; those about films are
-/// read from the records in the study's folder.
+/// read from the records in the study's folder. `design` are the
+/// findings about the factors.
 std::string warnings_csv(const Manifest& manifest, Motions& motions,
-                         const std::filesystem::path& folder);
+                         const std::filesystem::path& folder,
+                         const DesignFindings& design);
 
 }  // namespace mien::pipeline

@@ -115,13 +115,14 @@ std::string export_readme(const Manifest& manifest, const std::vector<SessionPla
   const Questionnaire& questionnaire = questionnaire_of(manifest);
   const std::string& first = plans.front().participant;
   const std::string& last = plans.back().participant;
+  const double minutes = std::max(1.0, std::ceil(longest_minutes(plans)));
   std::string text = fmt::format(
       "{}\n"
       "{}\n\n"
-      "Questionnaire of study {}: {} participants ({} to {}), at most about {} minutes each. No\n"
+      "Questionnaire of study {}: {} participant{} ({} to {}), at most about {} minute{} each. No\n"
       "network is needed and no data are sent.\n\n",
       title_of(manifest), std::string(title_of(manifest).size(), '='), manifest.study, plans.size(),
-      first, last, std::max(1.0, std::ceil(longest_minutes(plans))));
+      plans.size() == 1 ? "" : "s", first, last, minutes, minutes == 1.0 ? "" : "s");
   text += fmt::format(
       "On this computer\n"
       "    Open index.html in a browser (double-click it). At the end the browser downloads three\n"

@@ -112,7 +112,7 @@ TEST(Schema, FindsWordsForEveryRule) {
   EXPECT_EQ(told(3), ": must be a map of keys and values but is 3; ");
   EXPECT_EQ(told({{"n", 9}}), "n: 9 is out of range; use a whole number from 1 to 5");
   EXPECT_EQ(told({{"n", 1.5}}), "n: must be a whole number but is 1.5; ");
-  EXPECT_EQ(told({{"n", 1}, {"s", ""}}), "s: must not be empty; ");
+  EXPECT_EQ(told({{"n", 1}, {"s", ""}}), "s: must not be empty; write a text");
   EXPECT_EQ(told({{"n", 1}, {"s", 5}}), "s: must be text but is 5; put it in quotes: \"5\"");
   EXPECT_EQ(told({{"n", 1}, {"p", "b"}}), "p: \"b\" must be a; ");
   EXPECT_EQ(told({{"n", 1}, {"e", "gren"}}),
@@ -123,7 +123,8 @@ TEST(Schema, FindsWordsForEveryRule) {
       told({{"n", 1}, {"f", "#00ff00"}}),
       "f: \"#00ff00\" is not one of the choices; use one of red, blue; for others write {rgb: "
       "#00ff00}");
-  EXPECT_EQ(told({{"n", 1}, {"a", json::array()}}), "a: has 0 elements but must have at least 1; ");
+  EXPECT_EQ(told({{"n", 1}, {"a", json::array()}}),
+            "a: has 0 elements but must have at least 1; add elements");
   EXPECT_EQ(told({{"n", 1}, {"a", {true, 1}}}),
             "a[1]: must be true or false but is 1; write true or false");
   EXPECT_EQ(told({{"n", 1}, {"u", 1}}), "u: must be text or a map of keys and values but is 1; ");

@@ -32,7 +32,7 @@ Manifest study_called(const std::string& name) {
 
 std::string report_of(const Manifest& manifest) {
   Motions motions(manifest);
-  return report(manifest, motions, methods_of(manifest, motions));
+  return report(manifest, motions, methods_of(manifest, motions), {});
 }
 
 /// The first tag that is closed wrongly or left open; empty when all are balanced.

@@ -37,6 +37,7 @@ class Generator {
       if (!drawn["output"].contains(key)) drawn["output"][key] = smallest;
     }
     drawn["stimuli"] = stimuli();
+    drawn.erase("design");
     drawn.erase("overlays");
     if (chance(0.25)) drawn["overlays"] = json::array({overlay()});
     drawn.erase("sheets");

@@ -1,0 +1,119 @@
+#include "pipeline/production/design/close_levels.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/production/design/property_values.h"
+
+namespace mien::pipeline {
+namespace {
+
+/// A blend of the normal and the happy walk.
+Stimulus blend(const std::string& id, double happy, const Factors& factors) {
+  Stimulus stimulus;
+  stimulus.id = id;
+  stimulus.path = "stimuli." + id;
+  stimulus.weights = {{"normal", 1.0 - happy}, {"happy", happy}};
+  stimulus.factors = factors;
+  return stimulus;
+}
+
+Manifest study_of(std::vector<Stimulus> stimuli) {
+  Manifest manifest;
+  manifest.examples.builtin = "walks-10";
+  manifest.stimuli = std::move(stimuli);
+  return manifest;
+}
+
+TEST(CloseLevels, AreThoseWhoseMotionsDifferByLessThanTheThreshold) {
+  Manifest manifest =
+      study_of({blend("a", 0.0, {{"mood", "none"}}), blend("b", 0.1, {{"mood", "some"}}),
+                blend("c", 1.0, {{"mood", "full"}})});
+  Motions motions(manifest);
+  const double near = motions.distance("a", "b").mean, far = motions.distance("a", "c").mean;
+  manifest.design.threshold_m = 0.5 * (near + far);
+  std::vector<FactorLevels> found = close_levels(manifest, motions);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].factor, "mood");
+  EXPECT_EQ(found[0].levels, 3);
+  EXPECT_EQ(found[0].compared, 3);
+  ASSERT_GE(found[0].close.size(), 1u);
+  EXPECT_EQ(found[0].close[0].first, "none");
+  EXPECT_EQ(found[0].close[0].second, "some");
+  EXPECT_EQ(found[0].close[0].greatest_m, near);
+  manifest.design.threshold_m = near;
+  EXPECT_TRUE(close_levels(manifest, motions).empty()) << "not below the threshold";
+  manifest.design.threshold_m = 1.0;
+  EXPECT_EQ(close_levels(manifest, motions)[0].close.size(), 3u);
+  manifest.design.alike = {"mood"};
+  EXPECT_TRUE(close_levels(manifest, motions).empty());
+}
+
+TEST(CloseLevels, CompareStimuliWithTheSameLevelsOfOtherFactors) {
+  // Within an actor the moods are far apart; across actors they are equal.
+  Manifest manifest = study_of({blend("a", 0.0, {{"actor", "k"}, {"mood", "low"}}),
+                                blend("b", 1.0, {{"actor", "k"}, {"mood", "high"}}),
+                                blend("c", 1.0, {{"actor", "t"}, {"mood", "low"}}),
+                                blend("d", 0.0, {{"actor", "t"}, {"mood", "high"}})});
+  Motions motions(manifest);
+  manifest.design.threshold_m = 0.5 * motions.distance("a", "b").mean;
+  EXPECT_TRUE(close_levels(manifest, motions).empty());
+  // One pair that is far apart suffices.
+  manifest.stimuli[3].weights = {{"happy", 1.0}};
+  Motions others(manifest);
+  for (const FactorLevels& one : close_levels(manifest, others)) EXPECT_NE(one.factor, "mood");
+}
+
+TEST(CloseLevels, AreNotThoseOfAFactorThatLeavesTheMotionAsItIs) {
+  Manifest manifest =
+      study_of({blend("a", 0.0, {{"display", "stick"}}), blend("b", 0.0, {{"display", "dots"}})});
+  manifest.design.threshold_m = 1.0;
+  Motions motions(manifest);
+  EXPECT_TRUE(close_levels(manifest, motions).empty());
+}
+
+TEST(CloseLevels, AreOneWarningForAFactorWithItsClosestPairs) {
+  Manifest manifest =
+      study_of({blend("a", 0.0, {{"mood", "none"}}), blend("b", 0.1, {{"mood", "some"}}),
+                blend("c", 1.0, {{"mood", "full"}})});
+  manifest.design.threshold_m = 1.0;
+  Motions motions(manifest);
+  const std::vector<DesignWarning> warnings =
+      close_level_warnings(manifest, close_levels(manifest, motions));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].path, "stimuli.a.factors.mood");
+  EXPECT_NE(warnings[0].wrong.find("3 of 3 pairs of levels differ by less than 1 m"),
+            std::string::npos)
+      << warnings[0].wrong;
+  EXPECT_LT(warnings[0].wrong.find("\"none\" and \"some\""), warnings[0].wrong.find("\"full\""));
+}
+
+TEST(PlannedProperties, AreThoseOfTheFilm) {
+  Manifest manifest = study_of({blend("a", 0.0, {}), blend("b", 0.0, {})});
+  manifest.stimuli[0].output.cycles = 3;
+  manifest.stimuli[1].output.in_place = true;
+  manifest.stimuli[1].look.figure = scenes::MannequinOptions{};
+  Motions motions(manifest);
+  const std::vector<PropertyValues> values = planned_properties(manifest, motions);
+  const auto value = [&](std::size_t stimulus, std::string_view id) {
+    std::size_t i = 0;
+    while (stimulus_properties[i].id != id) ++i;
+    return values[stimulus][i];
+  };
+  const motion::Clip& walk = motions.of("a").motion.clip;
+  EXPECT_NEAR(value(0, "duration").number, 3.0 * walk.duration_seconds(), 0.05);
+  EXPECT_NEAR(value(0, "speed").number, walk.cycle_displacement.norm() / walk.duration_seconds(),
+              1e-9);
+  EXPECT_NEAR(value(0, "distance").number, 3.0 * walk.cycle_displacement.norm(), 0.1);
+  EXPECT_EQ(value(1, "distance").number, 0.0);
+  EXPECT_EQ(value(1, "speed").number, value(0, "speed").number);
+  EXPECT_EQ(value(0, "figure").text, "stick");
+  EXPECT_EQ(value(1, "figure").text, "mannequin");
+  EXPECT_EQ(value(1, "in_place").text, "yes");
+  EXPECT_GT(value(0, "figure_height").number, 50.0);
+  EXPECT_TRUE(std::isnan(value(0, "luminance").number));
+  manifest.equalize.duration = true;
+  EXPECT_TRUE(std::isnan(planned_properties(manifest, motions)[0][9].number));
+}
+
+}  // namespace
+}  // namespace mien::pipeline
