@@ -50,6 +50,7 @@ struct AnswerSettings {
   int points = 5;                       ///< number of points, including both ends
   bool slider = false;                  ///< raw answers are 0 … 100 from left to right
   bool words = false;                   ///< free words; the raw answer is the text
+  std::vector<std::string> suggest;     ///< words that are suggested while one types
   bool anchors = true;                  ///< every point is labelled ("very sad"), not only the ends
   StartsAt starts_at = StartsAt::none;  ///< initial state of a scale
   PoleSide side = PoleSide::random;     ///< side of the high end: varies between participants and
@@ -61,6 +62,7 @@ void fields_of(auto&& field, MaybeConst<AnswerSettings> auto& answer) {
   field("points", answer.points, concerns::nothing);
   field("slider", answer.slider, concerns::nothing);
   field("words", answer.words, concerns::nothing);
+  field("suggest", answer.suggest, concerns::nothing);
   field("anchors", answer.anchors, concerns::nothing);
   field("default", answer.starts_at, concerns::nothing, starts_at_words);
   field("side", answer.side, concerns::nothing, pole_side_words);

@@ -484,6 +484,12 @@ TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
   EXPECT_EQ(seen.at("captions")[0], seen.at("captions")[1]);
   EXPECT_EQ(seen.at("numbers"), 1);
   EXPECT_LE(seen.at("wide"), 390);
+  // Words are suggested, and others may be written.
+  const json& suggested = seen.at("suggested");
+  EXPECT_EQ(suggested.at("value"), "weary");
+  EXPECT_EQ(suggested.at("words"), json({"happy", "heavy", "sad"}));
+  EXPECT_NE(suggested.at("label"), "");
+  EXPECT_EQ(suggested.at("faults"), json::array());
 }
 
 TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {

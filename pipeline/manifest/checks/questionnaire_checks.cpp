@@ -125,6 +125,9 @@ class QuestionnaireCheck {
     one_of(answer.slider, "points", "slider");
     one_of(answer.words, "points", "free words");
     if (answer.slider) one_of(answer.words, "words", "slider");
+    if (!answer.suggest.empty() && !answer.words)
+      list_.add_at_key(member_path(path, "suggest"), "only answers in free words have suggestions",
+                       "add words: true, or omit it");
     if (answer.starts_at != StartsAt::middle) return;
     const std::string start = member_path(path, "default");
     if (answer.words) list_.add(start, "free-text answers have no middle", "use none");

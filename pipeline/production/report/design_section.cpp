@@ -31,9 +31,9 @@ std::string note_of(const FactorProperty& relation) {
       return "";
     case PropertyRelation::varies:
       if (!std::isfinite(relation.explained)) return "varies within levels";
-      return fmt::format(
-          relation.explained >= much_explained ? "<strong>η² = {:.2f}</strong>" : "η² = {:.2f}",
-          relation.explained);
+      return relation.explained >= much_explained
+                 ? fmt::format("<strong>η² = {:.2f}</strong>", relation.explained)
+                 : fmt::format("η² = {:.2f}", relation.explained);
     case PropertyRelation::follows:
       return "<strong>follows the factor</strong>";
     case PropertyRelation::intended:

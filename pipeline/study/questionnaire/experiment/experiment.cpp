@@ -35,6 +35,7 @@ ordered_json items_json(const Manifest& manifest) {
                        {"default", start},
                        {"least", scale.least},
                        {"most", scale.most}};
+    if (!asked.answer.suggest.empty()) items[scale.id]["suggest"] = asked.answer.suggest;
     if (asked.preference.ties) items[scale.id]["ties"] = true;
     if (asked.preference.strength) items[scale.id]["strength"] = true;
   }

@@ -79,6 +79,8 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "questionnaire.display.size.cm", "cannot be combined with degrees"},
       {"participants: 4, scales: all, display: {size: {}}", "questionnaire.display.size",
        "must not be empty"},
+      {"participants: 4, scales: all, answer: {suggest: [happy]}", "questionnaire.answer.suggest",
+       "only answers in free words have suggestions"},
       {"participants: 4, scales: all, consent_version: '2'", "questionnaire.consent_version",
        "there is no consent text"},
       {"participants: 4, scales: all, demographics: [{id: a, ask: x, answer: [b, c, b]}]",

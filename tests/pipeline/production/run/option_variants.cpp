@@ -433,6 +433,7 @@ const Values chosen_values[] = {
     {"questionnaire.display.size", R"(["native", {"degrees": 12}])"},
     {"questionnaire.display.distance_cm", "[57, 60]"},
     {"questionnaire.preference", R"([{"ties": true}, {"strength": true}])"},
+    {"questionnaire.answer.suggest", R"([["happy"], ["happy", "sad"]])"},
     {"questionnaire.answer", R"([{"points": 7}, {"slider": true}])"},
     {"questionnaire.order", R"(["full", {"blocked": "actor"}])"},
     {"questionnaire.order.blocked", R"(["actor", "mood"])"},

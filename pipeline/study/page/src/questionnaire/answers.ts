@@ -136,12 +136,19 @@ function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered):
   return asked;
 }
 
-export function wordsOf(id: string, title: string, answered: Answered): Asked {
+/** Free words: in several lines or, with suggestions, in one line that the browser completes. */
+export function wordsOf(id: string, title: string, answered: Answered, suggest: string[] = []): Asked {
   let at = performance.now();
-  const input = element("textarea", { rows: "2", maxlength: "2000", id: `asked-${(names += 1)}` });
+  const name = `asked-${(names += 1)}`;
+  const input = suggest.length
+    ? element("input", { type: "text", maxlength: "2000", id: name, list: `${name}-words`, autocomplete: "off" })
+    : element("textarea", { rows: "2", maxlength: "2000", id: name });
+  const root = element("div", { class: "asked words" }, element("label", { for: name }, title), input);
+  if (suggest.length)
+    root.append(element("datalist", { id: `${name}-words` },
+      ...suggest.map((word) => element("option", { value: word }))));
   const asked: Asked = {
-    root: element("div", { class: "asked words" },
-      element("label", { for: input.id }, title), input),
+    root,
     focus: () => input.focus(),
     answer: () => (input.value.trim() ? { item: id, value_raw: input.value.trim(), at } : null),
   };
@@ -156,7 +163,8 @@ export function wordsOf(id: string, title: string, answered: Answered): Asked {
 export function scaleOf(
   id: string, item: Item | undefined, flipped: boolean, language: string, texts: Texts, answered: Answered,
 ): Asked {
-  if (!item || item.words) return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered);
+  if (!item || item.words)
+    return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered, item?.suggest);
   return item.slider ? sliderOf(id, item, flipped, answered)
     : pointsOf(id, item, flipped, language, texts, answered);
 }

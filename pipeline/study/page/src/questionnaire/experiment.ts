@@ -103,6 +103,8 @@ export interface Item {
   points: number;
   slider: boolean;
   words?: boolean;
+  /** Of free words: what is suggested while one types. */
+  suggest?: string[];
   anchors: boolean;
   /** What is chosen before an answer is given. */
   default: "middle" | null;

@@ -38,7 +38,7 @@ async function answerByMouse(page, number, careless) {
     const box = await slider.boundingBox();
     await slider.click({ position: { x: box.width * 0.7, y: box.height / 2 } });
   }
-  for (const words of await page.locator(".asked.words textarea").all()) await words.fill("slow, heavy");
+  for (const words of await page.locator(".asked.words textarea, .asked.words input").all()) await words.fill("slow, heavy");
   if (await page.locator("#comment").count()) await page.locator("#comment").fill(`comment, "${number}"`);
   await page.locator(".answers .main").click();
 }

@@ -133,18 +133,23 @@ async function refusal() {
   return { text: await page.locator("main").innerText(), kept, troubles };
 }
 
+const axe = () => readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** Faults of accessibility of a page that was opened with bypassCSP. */
+async function faultsOf(page) {
+  if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(axe());
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map(({ id, impact, nodes }) => ({ fault: `${impact} ${id}`, html: nodes[0].html.slice(0, 120) }));
+}
+
 /** Faults of accessibility on every page, on a laptop or as `how` says. */
 async function accessibility(how = desktop) {
-  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
   const faults = [];
   let checked = 0;
   const { page } = await open(onDisk, { ...how, bypassCSP: true });
   const check = async (where) => {
-    if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
-    const { violations } = await page.evaluate(() => window.axe.run());
     checked += 1;
-    for (const { id, impact, nodes } of violations)
-      faults.push(`${impact} ${id} on ${where}: ${nodes[0].html.slice(0, 120)}`);
+    for (const { fault, html } of await faultsOf(page)) faults.push(`${fault} on ${where}: ${html}`);
   };
   await take(page, { each: async (sight, number) => {
     if (sight === "load") return false;
@@ -566,6 +571,16 @@ async function crowded() {
   }));
   const laptop = await firstTrial(words, desktop);
   const foot = await laptop.locator(".answers .main").boundingBox();
+  const suggesting = await serve(changed(({ items }) => {
+    for (const item of Object.values(items)) Object.assign(item, { words: true, suggest: ["happy", "heavy", "sad"] });
+  }));
+  const typed = await firstTrial(suggesting, { ...desktop, bypassCSP: true });
+  const field = typed.locator(".asked.words input").first();
+  await field.focus();
+  await typed.keyboard.type("weary");
+  const suggested = await field.evaluate((input) => ({ value: input.value, label: input.labels[0]?.textContent,
+    words: [...input.list.options].map((option) => option.value) }));
+  suggested.faults = await faultsOf(typed);
   const japanese = await serve(changed((experiment) => {
     experiment.language = "ja";
     experiment.settings.phones = "served";
@@ -583,11 +598,13 @@ async function crowded() {
   });
   if (process.env.MIEN_PICTURES) {
     await laptop.screenshot({ path: join(process.env.MIEN_PICTURES, "words.png") });
+    await typed.screenshot({ path: join(process.env.MIEN_PICTURES, "suggestions.png") });
     await small.screenshot({ path: join(process.env.MIEN_PICTURES, "japanese.png"), fullPage: true });
   }
   words.close();
+  suggesting.close();
   japanese.close();
-  return { foot: Math.round(foot.y + foot.height), ...sizes };
+  return { foot: Math.round(foot.y + foot.height), suggested, ...sizes };
 }
 
 /** Until the answers of a first trial are open. */
