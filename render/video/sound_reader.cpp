@@ -37,7 +37,8 @@ Input open_file_with_sound(const std::string& path, const char* formats) {
   const int code = avformat_open_input(&opened, ("file:" + path).c_str(), nullptr, &options);
   av_dict_free(&options);
   // Other formats are refused as an invalid argument.
-  if (code == AVERROR(EINVAL) || code == AVERROR_INVALIDDATA)
+  const bool is_unknown = code == AVERROR(EINVAL) || code == AVERROR_INVALIDDATA;
+  if (formats != nullptr && is_unknown)
     throw Error(path + ": is not a sound file; save it as WAV, FLAC, Opus, Ogg Vorbis or MP3");
   checked(code, path + ": opening");
   Input input(opened);
