@@ -10,6 +10,7 @@
 #include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/manifest/recording_files.h"
 #include "pipeline/tasks/code_identity.h"
+#include "render/video/sound_file.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
 
@@ -122,6 +123,18 @@ void add_page(KeyBuilder& key, const Manifest& manifest) {
         .add("share", std::int64_t{recording.licence.share})
         .add("source", recording.source);
   }
+}
+
+void add_sound(KeyBuilder& key, const Stimulus& stimulus, const Equalize& equalize,
+               FileKeys& files) {
+  if (!stimulus.sound) return;
+  const StimulusSound& sound = *stimulus.sound;
+  key.add("sound", files.of(sound.file))
+      .add("sound offset", sound.offset)
+      .add("sound gain", sound.gain)
+      .add("sound length", name_of(sound.length))
+      .add("sound libraries", render::sound_libraries());
+  if (equalize.loudness) key.add("loudness", *equalize.loudness);
 }
 
 void add_presentation(KeyBuilder& key, const Presentation& presentation) {

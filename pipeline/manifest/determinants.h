@@ -31,6 +31,11 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 /// not enough, since it may take values from environment variables.)
 void add_page(KeyBuilder& key, const Manifest& manifest);
 
+/// Adds what is heard in a video, if it has a sound: the file's content, how it is placed, the
+/// target of equalized loudness, and the libraries that only sound needs.
+void add_sound(KeyBuilder& key, const Stimulus& stimulus, const Equalize& equalize,
+               FileKeys& files);
+
 /// Adds what a video shows before and after the film.
 void add_presentation(KeyBuilder& key, const Presentation& presentation);
 

@@ -37,6 +37,7 @@ Factors plain_levels(const Stimulus& stimulus) {
     levels.emplace_back("example", std::ranges::find_if(stimulus.weights, counts)->first);
   }
   if (stimulus.clip) levels.emplace_back("clip", stimulus.clip->file.stem().string());
+  if (stimulus.sound) levels.emplace_back("audio", sound_level(stimulus));
   return levels;
 }
 

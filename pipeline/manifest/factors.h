@@ -24,8 +24,8 @@ struct FactorsForm {
 
 /// Returns the levels of a stimulus: the stated ones, followed by those that are not stated but
 /// follow from how it is made: `emotion` and `strength` of the recipes that modify it (several are
-/// joined by "+"), `example` if a single example has weight, and `clip`, the stem of its file's
-/// name.
+/// joined by "+"), `example` if a single example has weight, `clip`, the stem of its file's name,
+/// and `audio`: matched or mismatched (sound_level).
 Factors levels_of(const Stimulus& stimulus);
 
 /// Returns all factors of a study: first the stated ones in order of first appearance, then the

@@ -46,6 +46,8 @@ struct Equalize {
   std::optional<EqualizeGroup> place;  ///< position of the figures in the picture, equalized by
                                        ///< shifting the picture's centre
   bool duration = false;               ///< number of frames, set to that of the shortest stimulus
+  /// Integrated loudness of the sounds by EBU R 128, LUFS, equalized by gain.
+  std::optional<double> loudness;
 
   friend bool operator==(const Equalize&, const Equalize&) = default;
 };
@@ -63,6 +65,7 @@ void fields_of(auto&& field, MaybeConst<Equalize> auto& equalize) {
   field.by("size", equalize.size, concerns::picture, EqualizeGroupForm());
   field.by("place", equalize.place, concerns::picture, EqualizeGroupForm());
   field("duration", equalize.duration, concerns::picture);
+  field.by("loudness", equalize.loudness, concerns::shown, LoudnessForm());
 }
 
 /// `equalize:`: an array of names or a map.
@@ -97,6 +100,7 @@ struct Manifest {
   RegressionLimits regression;
   Design design;
   std::vector<Stimulus> stimuli;
+  std::optional<Mismatch> mismatch;
   std::vector<Overlay> overlays;
   std::vector<Sheet> sheets;
   std::optional<Questionnaire> questionnaire;
@@ -132,6 +136,7 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field("design", manifest.design, concerns::page);
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });
+  field("mismatch", manifest.mismatch, concerns::nothing);
   field.each("overlays", manifest.overlays, concerns::nothing,
              [&] { return plain_overlay(manifest); });
   field.each("sheets", manifest.sheets, concerns::page, [] { return Sheet(); });

@@ -77,8 +77,9 @@ struct Screening {
   /// Smallest width and height of the browser's viewport, CSS pixels.
   std::optional<std::array<int, 2>> window;
   std::optional<double> refresh_hz;  ///< least refresh rate of the screen
+  bool sound = false;                ///< participants count tones, to show that they hear
 
-  bool empty() const { return questions.empty() && !window && !refresh_hz; }
+  bool empty() const { return questions.empty() && !window && !refresh_hz && !sound; }
 };
 
 void fields_of(auto&& field, MaybeConst<Screening> auto& screening) {
@@ -87,6 +88,7 @@ void fields_of(auto&& field, MaybeConst<Screening> auto& screening) {
   field.each("quotas", screening.quotas, concerns::nothing, [] { return Quota(); });
   field("window", screening.window, concerns::nothing);
   field("refresh_hz", screening.refresh_hz, concerns::nothing);
+  field("sound", screening.sound, concerns::nothing);
 }
 
 }  // namespace mien::pipeline

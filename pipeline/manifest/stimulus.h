@@ -20,6 +20,7 @@
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/recording_choice.h"
 #include "pipeline/manifest/regression_limits.h"
+#include "pipeline/manifest/stimulus_sound.h"
 #include "pipeline/manifest/walk_path.h"
 #include "scenes/figures/figure_colour.h"
 
@@ -107,6 +108,8 @@ struct Stimulus {
                                              ///< motion graph, in the order of their names
   /// If set, the motion is derived from the original stimulus (resolve_foils).
   std::optional<Foil> foil;
+  std::optional<StatedSound> audio;
+  std::optional<StimulusSound> sound;    ///< from `audio` (resolve_sounds)
   Look look;                             ///< the manifest's, with the stimulus's own values applied
   Output output;                         ///< the manifest's, with the stimulus's own values applied
   Interpolation interpolation;           ///< the manifest's, with the stimulus's own values applied
@@ -120,6 +123,7 @@ void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("role", stimulus.role, concerns::picture, role_words);
   field("foil", stimulus.foil, concerns::motion);
   field("on_fault", stimulus.on_fault, concerns::motion, fault_words);
+  field("audio", stimulus.audio, concerns::shown);
   field("look", stimulus.look, concerns::picture);
   field("output", stimulus.output, concerns::nothing);
   field.by("factors", stimulus.factors, concerns::page, FactorsForm());

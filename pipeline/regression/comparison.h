@@ -77,8 +77,8 @@ struct VideoChange {
   std::string format;
   /// Descriptions of the changes: "114 frames → 113", "different content".
   std::vector<std::string> what;
-  /// The number of frames and the frame rate are unchanged; false for a video that is no longer
-  /// made, true for a new one.
+  /// The number of frames, the frame rate and the sound are unchanged; false for a video that is no
+  /// longer made, true for a new one.
   bool same_frames = true;
   /// Decrease of the lowest PSNR between the video and its frames, dB; 0 if the current video shows
   /// its frames exactly. A former video that did counts as 100 dB.

@@ -93,6 +93,16 @@ void add_character(std::vector<Setting>& settings, const Stimulus& stimulus, Fil
   settings.push_back({"look.figure content", Aspect::scene, content.dump()});
 }
 
+/// The sound that another stimulus states, which is not among the stimulus's own options.
+void add_foreign_sound(std::vector<Setting>& settings, const Stimulus& stimulus, FileKeys& files) {
+  if (!stimulus.sound || stimulus.sound->of == stimulus.id) return;
+  const StimulusSound& sound = *stimulus.sound;
+  settings.push_back({"audio.of", Aspect::video, OrderedJson(sound.of).dump()});
+  settings.push_back({"audio.of.offset", Aspect::video, OrderedJson(sound.offset).dump()});
+  settings.push_back({"audio.of.gain", Aspect::video, OrderedJson(sound.gain).dump()});
+  settings.push_back({"audio.of content", Aspect::video, contents_of({sound.file}, files)});
+}
+
 /// The examples' files: each by its name, or as one where there are very many.
 void add_examples(std::vector<Setting>& settings, const Manifest& manifest, FileKeys& files) {
   const std::vector<std::filesystem::path> examples = repertoire_files(manifest);
@@ -191,6 +201,7 @@ std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manif
   });
   add_character(settings, stimulus, files);
   add_set(settings, stimulus.look.set);
+  add_foreign_sound(settings, stimulus, files);
   add_entries(settings, study_entries(manifest), files);
   add_examples(settings, manifest, files);
   settings.push_back({"seed", Aspect::drawing, std::to_string(manifest.seed)});

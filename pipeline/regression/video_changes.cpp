@@ -9,6 +9,29 @@ namespace mien::pipeline {
 
 namespace {
 
+/// Adds how the sound has changed. What is heard is compared before encoding, by its hash; bytes
+/// that the encoder makes otherwise are no other sound.
+void add_sound_change(const std::optional<VideoSoundRecord>& before,
+                      const std::optional<VideoSoundRecord>& now, VideoChange& change) {
+  const auto seconds = [](const VideoSoundRecord& sound) {
+    return static_cast<double>(sound.frames) / sound.rate;
+  };
+  if (before.has_value() != now.has_value()) {
+    change.what.emplace_back(now ? "has a sound now" : "no longer has a sound");
+  } else if (!before || before->hash == now->hash) {
+    return;
+  } else if (before->frames != now->frames) {
+    const auto [was, is] = distinct_numbers(seconds(*before), seconds(*now));
+    change.what.push_back(fmt::format("sound of {} s → {} s", was, is));
+  } else if (before->channels != now->channels) {
+    change.what.push_back(
+        fmt::format("sound of {} channels → {}", before->channels, now->channels));
+  } else {
+    change.what.emplace_back("another sound");
+  }
+  change.same_frames = false;
+}
+
 VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
   VideoChange change{.format = before.format, .what = {}};
   change.same_frames = before.frames == now.frames && before.fps == now.fps;
@@ -18,6 +41,7 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     const auto [was, is] = distinct_numbers(before.fps, now.fps);
     change.what.push_back(fmt::format("{} frames/s → {}", was, is));
   }
+  add_sound_change(before.sound, now.sound, change);
   if (before.identical != now.identical)
     change.what.emplace_back(now.identical ? "now shows its frames exactly"
                                            : "no longer shows its frames exactly");

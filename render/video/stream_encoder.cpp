@@ -127,7 +127,8 @@ AVDictionary* container_options(const VideoFormat& format) {
 
 AVPixelFormat pixel_format_of(VideoKind kind) { return choice_of(kind).pixels; }
 
-StreamEncoder::StreamEncoder(const std::filesystem::path& path, const VideoFormat& format)
+StreamEncoder::StreamEncoder(const std::filesystem::path& path, const VideoFormat& format,
+                             const Sound* sound)
     : path_(path.string()), format_(format) {
   av_log_set_level(AV_LOG_QUIET);
   AVFormatContext* file = nullptr;
@@ -138,6 +139,7 @@ StreamEncoder::StreamEncoder(const std::filesystem::path& path, const VideoForma
   file_.reset(file);
   file_->flags |= AVFMT_FLAG_BITEXACT;
   open_codec();
+  open_streams(sound);
   open_file();
   packet_.reset(av_packet_alloc());
   picture_.reset(av_frame_alloc());
@@ -170,12 +172,18 @@ void StreamEncoder::open_codec() {
   checked(avcodec_open2(codec_.get(), encoder, nullptr), path_ + ": opening the encoder");
 }
 
-void StreamEncoder::open_file() {
+void StreamEncoder::open_streams(const Sound* sound) {
   stream_ = avformat_new_stream(file_.get(), nullptr);
   if (!stream_) throw Error(path_ + ": no memory for a stream");
   stream_->time_base = codec_->time_base;
   stream_->avg_frame_rate = codec_->framerate;
   checked(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), path_);
+  if (sound == nullptr) return;
+  sound_.emplace(*file_, path_, format_.kind, *sound);
+  file_->max_interleave_delta = 0;  // encoders of pictures may hold back more seconds than usual
+}
+
+void StreamEncoder::open_file() {
   checked(avio_open(&file_->pb, file_->url, AVIO_FLAG_WRITE), path_ + ": opening for writing");
   AVDictionary* options = container_options(format_);
   const int code = avformat_write_header(file_.get(), &options);
@@ -214,6 +222,11 @@ void StreamEncoder::send() {
   picture_->pts = frames_++;
   checked(avcodec_send_frame(codec_.get(), picture_.get()), path_ + ": encoding");
   drain();
+  if (sound_) sound_->write_until(av_rescale_q(frames_, codec_->time_base, {1, sound_rate}));
+}
+
+std::optional<SoundReceipt> StreamEncoder::sound_receipt() const {
+  return sound_ ? std::optional(sound_->receipt()) : std::nullopt;
 }
 
 void StreamEncoder::set_last_duration() {
@@ -232,6 +245,7 @@ void StreamEncoder::finish() {
     throw Error(path_ + ": the encoder gave " + std::to_string(packet_hashes_.size()) + " of " +
                 std::to_string(frames_) + " frames");
   }
+  if (sound_) sound_->finish();
   if (format_.kind == VideoKind::gif) set_last_duration();
   checked(av_write_trailer(file_.get()), path_ + ": writing the index");
   checked(avio_closep(&file_->pb), path_ + ": closing");

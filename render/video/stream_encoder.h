@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "render/video/libav.h"
+#include "render/video/sound_stream.h"
 #include "render/video/video.h"
 #include "render/video/video_receipt.h"
 
@@ -19,8 +21,9 @@ AVPixelFormat pixel_format_of(VideoKind kind);
 /// fixed, because encoders partition their work by it.
 class StreamEncoder {
  public:
-  /// Throws Error when this FFmpeg lacks the encoder or the file cannot be created.
-  StreamEncoder(const std::filesystem::path& path, const VideoFormat& format);
+  /// `sound`, if not null, must outlive the object; the kind must have sound. Throws Error when
+  /// this FFmpeg lacks an encoder or the file cannot be created.
+  StreamEncoder(const std::filesystem::path& path, const VideoFormat& format, const Sound* sound);
 
   /// The picture to be filled for the next `send`.
   AVFrame& picture();
@@ -37,8 +40,12 @@ class StreamEncoder {
   /// packet per frame.
   const std::vector<std::uint64_t>& packet_hashes() const { return packet_hashes_; }
 
+  /// What the sound was encoded to; nothing without a sound.
+  std::optional<SoundReceipt> sound_receipt() const;
+
  private:
   void open_codec();
+  void open_streams(const Sound* sound);
   void open_file();
   void drain();
   void record_packet();
@@ -54,6 +61,7 @@ class StreamEncoder {
   Frame picture_;
   Packet packet_;
   AVStream* stream_ = nullptr;
+  std::optional<SoundStream> sound_;
   std::int64_t frames_ = 0;
   std::vector<std::uint64_t> packet_hashes_;
 };

@@ -118,16 +118,17 @@ Image8 decode_first_webp_picture(const std::filesystem::path& path) {
   return picture_of(*opened(path), 0, path);
 }
 
+}  // namespace
+
 const VideoFiles& video_files() {
   static const auto* const files = static_cast<const VideoFiles*>(
       load_part("mien-video-files.so", "reads and writes videos", video_files_edition));
   return *files;
 }
 
-}  // namespace
-
-VideoWriter::VideoWriter(const std::filesystem::path& path, const VideoFormat& format)
-    : encoder_(video_files().writer(path, format)) {}
+VideoWriter::VideoWriter(const std::filesystem::path& path, const VideoFormat& format,
+                         const Sound* sound)
+    : encoder_(video_files().writer(path, format, sound)) {}
 VideoWriter::~VideoWriter() = default;
 VideoWriter::VideoWriter(VideoWriter&&) noexcept = default;
 VideoWriter& VideoWriter::operator=(VideoWriter&&) noexcept = default;

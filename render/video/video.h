@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/image/image.h"
+#include "render/sound/sound.h"
 #include "render/video/video_kind.h"
 #include "render/video/video_receipt.h"
 
@@ -54,12 +55,18 @@ struct VideoFormat {
 /// from all frames, and ordered dither; its frames are kept in a temporary file "<path>.frames.mkv"
 /// until the writer is destroyed.
 ///
+/// With a sound, which begins with the first frame, MP4 has a stream of AAC and WebM and Matroska
+/// one of Opus, interleaved with the frames. Its first sample is heard at 0 s: the encoder's delay
+/// is told in the file, so that players leave it out.
+///
 /// A writer destroyed before finish() may leave an unusable file behind.
 class VideoWriter {
  public:
-  /// Throws Error when the kind does not support the size, this FFmpeg lacks the encoder, or the
+  /// `sound`, if not null, must outlive the object and should be as long as the frames. Throws
+  /// Error when the kind does not support the size or a sound, this FFmpeg lacks an encoder, or the
   /// file cannot be created.
-  VideoWriter(const std::filesystem::path& path, const VideoFormat& format);
+  VideoWriter(const std::filesystem::path& path, const VideoFormat& format,
+              const Sound* sound = nullptr);
   ~VideoWriter();
   VideoWriter(VideoWriter&&) noexcept;
   VideoWriter& operator=(VideoWriter&&) noexcept;

@@ -4,9 +4,15 @@
 
 #include <optional>
 
+extern "C" {
+#include <libswresample/swresample.h>
+}
+
 #include "render/video/colour_table.h"
 #include "render/video/libav.h"
 #include "render/video/libav_probe.h"
+#include "render/video/loudness.h"
+#include "render/video/sound_reader.h"
 #include "render/video/stream_encoder.h"
 #include "render/video/yuv.h"
 
@@ -23,11 +29,11 @@ std::filesystem::path waiting_place(std::filesystem::path path) { return path +=
 
 class LibavWriter final : public VideoEncoder {
  public:
-  LibavWriter(const std::filesystem::path& path, const VideoFormat& format)
+  LibavWriter(const std::filesystem::path& path, const VideoFormat& format, const Sound* sound)
       : path_(path),
         format_(format),
         waiting_(format.kind == VideoKind::gif ? waiting_place(path) : std::filesystem::path()),
-        stream_(waiting_.empty() ? path : waiting_, stream_format()) {
+        stream_(waiting_.empty() ? path : waiting_, stream_format(), sound) {
     if (format.kind == VideoKind::gif) colours_.emplace();
     scaler_ = make_scaler(format.width, format.height, AV_PIX_FMT_RGB24,
                           pixel_format_of(stream_format().kind), true);
@@ -53,6 +59,7 @@ class LibavWriter final : public VideoEncoder {
     require(!receipt_.frames.empty(), path_.string(), "a video without frames");
     stream_.finish();
     if (!colours_) receipt_.packet_hashes = stream_.packet_hashes();
+    receipt_.sound = stream_.sound_receipt();
     if (colours_) write_indexed(ColourTable(*colours_));
     finished_ = true;
   }
@@ -81,7 +88,7 @@ class LibavWriter final : public VideoEncoder {
 
   /// A second pass over the frames, now that their colours are known.
   void write_indexed(ColourTable table) {
-    StreamEncoder gif(path_, format_);
+    StreamEncoder gif(path_, format_, nullptr);
     const auto index = [&](const TimedPicture& shown) {
       AVFrame& picture = gif.picture();
       table.copy_entries(reinterpret_cast<std::uint32_t*>(picture.data[1]));
@@ -109,14 +116,27 @@ std::string version_text(unsigned v) {
 
 class LibavFiles final : public VideoFiles {
  public:
-  std::unique_ptr<VideoEncoder> writer(const std::filesystem::path& path,
-                                       const VideoFormat& format) const override {
+  std::unique_ptr<VideoEncoder> writer(const std::filesystem::path& path, const VideoFormat& format,
+                                       const Sound* sound) const override {
     const std::string name = path.string();
     const VideoTraits& traits = traits_of(format.kind);
     require(format.width > 0 && format.height > 0, name, "a video has a width and a height");
     require(!traits.even_size || (format.width % 2 == 0 && format.height % 2 == 0), name,
             "this kind of video needs an even width and height");
-    return std::make_unique<LibavWriter>(path, format);
+    require(sound == nullptr || !sound_codec_of(format.kind).empty(), name,
+            "this kind of video has no sound");
+    return std::make_unique<LibavWriter>(path, format, sound);
+  }
+  Sound read_sound(const std::filesystem::path& file) const override {
+    return libav_read_sound(file);
+  }
+  std::optional<VideoSound> sound_of_video(const std::filesystem::path& file) const override {
+    return libav_sound_of_video(file);
+  }
+  Loudness loudness(const Sound& sound) const override { return ebur128_loudness(sound); }
+  std::string sound_libraries() const override {
+    return "libswresample " + version_text(swresample_version()) + ", libebur128 " +
+           ebur128_version();
   }
   VideoSummary probe(const std::filesystem::path& path,
                      const std::function<void(const TimedPicture&)>& on_picture,

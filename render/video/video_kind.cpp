@@ -35,6 +35,23 @@ std::span<const VideoTraits> video_kinds() { return kinds; }
 
 const VideoTraits& traits_of(VideoKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
+std::string_view sound_codec_of(VideoKind kind) {
+  switch (kind) {
+    case VideoKind::mp4:
+    case VideoKind::mp4_lossless:
+      return "aac";
+    case VideoKind::webm:
+    case VideoKind::webm_av1:
+    case VideoKind::mkv:
+      return "opus";
+    case VideoKind::webp:
+    case VideoKind::gif:
+    case VideoKind::apng:
+      break;
+  }
+  return "";
+}
+
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   const VideoTraits* best = nullptr;

@@ -33,6 +33,10 @@ std::span<const VideoTraits> video_kinds();
 
 const VideoTraits& traits_of(VideoKind kind);
 
+/// The codec of the sound in videos of a kind, as FFmpeg names it: "aac" in MP4, "opus" in WebM and
+/// Matroska; empty for animated pictures, which have no sound.
+std::string_view sound_codec_of(VideoKind kind);
+
 /// The kind of a file by the longest matching ending of its name: "x.lossless.mp4" is mp4_lossless,
 /// "x.mp4" is mp4; "x.png" is none.
 std::optional<VideoKind> video_kind_of(const std::filesystem::path& file);

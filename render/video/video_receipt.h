@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,12 @@
 #include "render/video/video_kind.h"
 
 namespace mien::render {
+
+/// What a film's sound was encoded to, recorded while it is written.
+struct SoundReceipt {
+  std::uint64_t hash = 0;                    ///< hash_of the sound that the encoder was given
+  std::vector<std::uint64_t> packet_hashes;  ///< packet_hash of each packet, in order
+};
 
 /// Hashes of a video's frames and packets, recorded while it is written, to check the file against.
 /// The similarity of decoded and rendered frames cannot distinguish frames of movements so slow
@@ -19,6 +26,7 @@ struct VideoReceipt {
   std::vector<std::uint64_t> frames;  ///< hash_of each written frame, in order
   /// The packet_hash of each frame; empty for kinds without a packet per frame.
   std::vector<std::uint64_t> packet_hashes;
+  std::optional<SoundReceipt> sound;  ///< of a video with sound
 };
 
 /// Whether files of this kind store each frame as one packet, as the encoder produced it: MP4, WebM

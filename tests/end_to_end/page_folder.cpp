@@ -1,10 +1,12 @@
 #include "end_to_end/page_folder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -82,6 +84,27 @@ std::string broken(const std::string& bvh) {
   return text;
 }
 
+/// A WAV with two seconds of a tone.
+std::string tone(double hertz) {
+  constexpr int rate = 8'000;
+  constexpr int count = 2 * rate;
+  std::string bytes = "RIFF";
+  const auto put = [&](int value, int size) {
+    for (int i = 0; i < size; ++i)
+      bytes += static_cast<char>(static_cast<unsigned>(value) >> (8 * i) & 0xffU);
+  };
+  put(36 + 2 * count, 4);
+  bytes += "WAVEfmt ";
+  for (const auto& [value, size] :
+       {std::pair(16, 4), {1, 2}, {1, 2}, {rate, 4}, {2 * rate, 4}, {2, 2}, {16, 2}})
+    put(value, size);
+  bytes += "data";
+  put(2 * count, 4);
+  for (int i = 0; i < count; ++i)
+    put(static_cast<int>(3000.0 * std::sin(6.283185307 * hertz * i / rate)), 2);
+  return bytes;
+}
+
 std::string replaced(const std::string& text, const std::string& pattern, const std::string& by) {
   return std::regex_replace(text, std::regex(pattern), by);
 }
@@ -98,6 +121,8 @@ PageFolder::PageFolder() {
   make({"study", "simulate", "--examples", "builtin:walks-27", "-o", path() / "answers.csv"});
   write("captures/dance.bvh",
         two_people(text_of(path() / "walk.bvh"), text_of(path() / "created.bvh")).both);
+  write("captures/one.wav", tone(440.0));
+  write("captures/two.wav", tone(330.0));
   write("broken.bvh", broken(text_of(path() / "walk.bvh")));
   write("study.yaml", small_study);
   write("sessions.csv", sessions);

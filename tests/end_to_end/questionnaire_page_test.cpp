@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -367,6 +369,69 @@ TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
     EXPECT_NEAR(std::stod(row.at("shown_degrees")), degrees, 0.01);
   }
   EXPECT_GT(sized, 10);
+}
+
+/// A WAV of 16 bits with a tone.
+std::string wav_of_tone(double seconds) {
+  constexpr int rate = 16'000;
+  const int count = static_cast<int>(seconds * rate);
+  std::string bytes = "RIFF";
+  const auto put = [&](std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+  };
+  put(static_cast<std::uint32_t>(36 + 2 * count), 4);
+  bytes += "WAVEfmt ";
+  for (const auto& [value, size] :
+       {std::pair(16, 4), {1, 2}, {1, 2}, {rate, 4}, {2 * rate, 4}, {2, 2}, {16, 2}})
+    put(static_cast<std::uint32_t>(value), size);
+  bytes += "data";
+  put(static_cast<std::uint32_t>(2 * count), 4);
+  for (int i = 0; i < count; ++i)
+    put(static_cast<std::uint32_t>(static_cast<int>(8000.0 * std::sin(0.2 * i))), 2);
+  return bytes;
+}
+
+TEST_F(QuestionnairePage, PlaysFilmsWithTheirSoundToWhoHearsIt) {
+  std::string text = study_text;
+  for (const char* id : {"sad", "proud"}) {
+    const std::string begin = std::string("{id: ") + id + ", ";
+    text.replace(text.find(begin), begin.size(), begin + "audio: {file: tone.wav, length: cut}, ");
+  }
+  text.replace(text.find("  reference: usual\n"), 19, "  screening: {sound: true}\n");
+  scratch->write("tone.wav", wav_of_tone(3.0));
+  const fs::path manifest = scratch->write("heard.yaml", text);
+  const fs::path there = scratch->path() / "heard";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-heard").string(), "-o", there.string()}));
+  const json taken = played("heard", there);
+  EXPECT_EQ(taken.at("troubles"), json::array());
+  EXPECT_EQ(taken.at("deaf"), json::array());
+  EXPECT_EQ(taken.at("violations"), json::array());
+  EXPECT_NE(taken.at("turned_away").get<std::string>().find("you cannot take part"),
+            std::string::npos);
+  for (const json& count : taken.at("counts")) {
+    EXPECT_GE(count, 3);
+    EXPECT_LE(count, 7);
+  }
+  EXPECT_EQ(taken.at("is_disabled"), true) << "before anything was heard";
+  EXPECT_EQ(taken.at("refused"), "Please enter a number.");
+  // The first is for practice, and has no sound.
+  const std::vector<bool> muted = taken.at("muted");
+  ASSERT_GT(muted.size(), 2u);
+  EXPECT_TRUE(muted.front());
+  EXPECT_EQ(std::ranges::count(muted, true), 1);
+  const auto people = rows_in(taken.at("participant").get<std::string>());
+  ASSERT_EQ(people.size(), 1u);
+  EXPECT_EQ(people[0].at("tones_1"), std::to_string(taken.at("counts")[1].get<int>() + 1));
+  EXPECT_EQ(people[0].at("tones_2"), std::to_string(taken.at("counts")[2].get<int>()));
+  EXPECT_EQ(people[0].at("screening_fault"), "");
+  std::set<std::string> events;
+  for (const auto& row : rows_in(taken.at("answers").get<std::string>()))
+    events.insert(row.at("volume_events"));
+  EXPECT_EQ(events.size(), 2u) << "those of one trial, and none";
+  const std::string told = *events.rbegin();
+  EXPECT_NE(told.find(":0.5 "), std::string::npos) << told;
+  EXPECT_TRUE(told.ends_with(":0")) << told;
 }
 
 TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {

@@ -77,6 +77,7 @@ std::vector<Fault> check_experiments(const ResolvedManifest& resolved) {
 std::vector<Fault> check_parts(const Manifest& manifest) {
   std::vector<Fault> faults = check_examples(manifest);
   append(faults, check_stimuli(manifest));
+  append(faults, check_sounds(manifest));
   append(faults, check_overlays(manifest));
   append(faults, check_sheets(manifest));
   append(faults, check_ids(manifest));

@@ -34,6 +34,11 @@ std::vector<Fault> check_stimuli(const Manifest& manifest);
 /// close together, and excessive durations.
 void check_walk_path(const Stimulus& stimulus, FaultList& list);
 
+/// Returns faults of sounds: files that are missing or of no known format, videos that are not
+/// written or cannot have sound, and a gain where loudness is equalized. What a file holds is found
+/// when films are made or rehearsed.
+std::vector<Fault> check_sounds(const Manifest& manifest);
+
 /// Returns faults of modifications that a schema cannot express: mutually exclusive keys, keys of
 /// another method, and poses and styles that need examples or files when there are none.
 std::vector<Fault> check_modifications(const Manifest& manifest);
@@ -66,6 +71,10 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest);
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
 
+/// Returns a fault if a questionnaire would play two sounds at the same time, or shows figures to
+/// be turned, which have no sound. No faults if no stimulus has one.
+std::vector<Fault> check_heard_sounds(const Manifest& manifest);
+
 /// Checks the web addresses, codes and URL parameters of a questionnaire's recruitment. No faults
 /// if it has none.
 std::vector<Fault> check_recruitment(const Manifest& manifest);
@@ -87,7 +96,8 @@ std::vector<Fault> quality_warnings(const Manifest& manifest);
 int analysed_trials(const Manifest& manifest);
 
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
-/// checks that can exclude no participant or that never occur, and those of quality_warnings. The
+/// checks that can exclude no participant or that never occur, sounds without a test of sound, and
+/// those of quality_warnings. The
 /// manifest must have no faults.
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 

@@ -220,6 +220,7 @@ class QuestionnaireCheck {
   /// Ids of questions about the participant: columns of one table.
   void check_question_ids() {
     std::set<std::string> taken;
+    if (questionnaire_.screening.sound) taken = {"tones_1", "tones_2"};
     const auto check_all = [&](const std::string& list_path, const auto& questions) {
       for (std::size_t i = 0; i < questions.size(); ++i) {
         const std::string path = element_path(list_path, i);
@@ -297,6 +298,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
   append(faults, check_shown_videos(manifest));
+  append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));
   append(faults, check_screening(manifest));
   append(faults, check_quality(manifest));

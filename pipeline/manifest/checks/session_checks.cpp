@@ -44,6 +44,25 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
   return list.take();
 }
 
+/// The stimuli with a sound that the questionnaire shows.
+std::vector<std::string> heard_stimuli(const Manifest& manifest) {
+  const std::vector<std::string> shown = shown_stimuli(manifest);
+  std::vector<std::string> heard;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.sound && std::ranges::find(shown, stimulus.id) != shown.end())
+      heard.push_back(stimulus.id);
+  }
+  return heard;
+}
+
+std::vector<Fault> sound_warnings(const Manifest& manifest) {
+  if (manifest.questionnaire->screening.sound || heard_stimuli(manifest).empty()) return {};
+  FaultList list(manifest.places);
+  list.add("questionnaire", "nobody tests whether participants hear the sound of the videos",
+           "add screening: {sound: true}");
+  return list.take();
+}
+
 }  // namespace
 
 int analysed_trials(const Manifest& manifest) {
@@ -72,10 +91,35 @@ std::vector<Fault> check_shown_videos(const Manifest& manifest) {
   return list.take();
 }
 
+std::vector<Fault> check_heard_sounds(const Manifest& manifest) {
+  if (!manifest.questionnaire) return {};
+  const Questionnaire& asked = *manifest.questionnaire;
+  FaultList list(manifest.places);
+  const std::vector<std::string> heard = heard_stimuli(manifest);
+  if (heard.empty()) return {};
+  const auto is_heard = [&](const std::string& id) {
+    return std::ranges::find(heard, id) != heard.end();
+  };
+  if (asked.view == ShownAs::turn) {
+    list.add("questionnaire.view", "figures that are turned have no sound",
+             "omit view, or show stimuli without audio");
+  } else if (asked.trials->stimuli > 1 && heard.size() > 1 &&
+             asked.preference.shown == PairPresentation::together) {
+    list.add("questionnaire.preference", "two sounds would be heard at the same time",
+             "show pairs one after the other: preference: {shown: in_turn}");
+  } else if (!asked.reference.empty() && is_heard(asked.reference)) {
+    list.add("questionnaire.reference",
+             "the reference is shown beside the stimuli, and both would be heard at the same time",
+             "name a reference without audio, or omit it");
+  }
+  return list.take();
+}
+
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> warnings = attention_warnings(manifest);
   append(warnings, quality_warnings(manifest));
+  append(warnings, sound_warnings(manifest));
   return warnings;
 }
 

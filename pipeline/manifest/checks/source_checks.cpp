@@ -72,6 +72,8 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const NamedMotion& motion : named_motions(stimulus))
       checker.check_file_of(motion.path, motion.key, motion.file);
+    if (stimulus.audio)
+      checker.check_file_of(member_path(stimulus.path, "audio"), "file", stimulus.audio->file);
   }
   return checker.take();
 }

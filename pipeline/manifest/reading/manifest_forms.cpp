@@ -87,23 +87,28 @@ void EqualizeForm::read(const DocumentValue& given, Equalize& equalize) {
   const auto group_by = [&](const char* word) {
     return holds(given.value, word) ? std::optional(EqualizeGroup::study) : std::nullopt;
   };
-  equalize = {.luminance = group_by("luminance"),
-              .size = group_by("size"),
-              .place = group_by("place"),
-              .duration = holds(given.value, "duration")};
+  equalize = {
+      .luminance = group_by("luminance"),
+      .size = group_by("size"),
+      .place = group_by("place"),
+      .duration = holds(given.value, "duration"),
+      .loudness = holds(given.value, "loudness") ? std::optional(broadcast_lufs) : std::nullopt};
 }
 
 OrderedJson EqualizeForm::write(const Equalize& equalize, const WritingOptions& how) {
   const auto is_named = [](const std::optional<EqualizeGroup>& group_by) {
     return group_by != EqualizeGroup::figure;
   };
-  if (!is_named(equalize.luminance) || !is_named(equalize.size) || !is_named(equalize.place))
+  const bool is_usual_loudness = !equalize.loudness || equalize.loudness == broadcast_lufs;
+  if (!is_named(equalize.luminance) || !is_named(equalize.size) || !is_named(equalize.place) ||
+      !is_usual_loudness)
     return written(equalize, how);
   OrderedJson words = OrderedJson::array();
   if (equalize.luminance) words.push_back("luminance");
   if (equalize.size) words.push_back("size");
   if (equalize.place) words.push_back("place");
   if (equalize.duration) words.push_back("duration");
+  if (equalize.loudness) words.push_back("loudness");
   return words;
 }
 

@@ -153,6 +153,7 @@ ResolvedManifest resolve(Manifest manifest) {
   resolve_frame_folders(manifest);
   std::vector<Fault> faults = resolve_modifications(manifest);
   append(faults, resolve_foils(manifest));
+  append(faults, resolve_sounds(manifest));
   resolve_holds(manifest);
   append(faults, resolve_sets(manifest));
   std::vector<Fault> experiment_faults = resolve_scales(manifest.scales);

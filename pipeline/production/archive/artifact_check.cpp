@@ -19,6 +19,7 @@
 #include "pipeline/base/documents/utf8.h"
 #include "pipeline/tasks/receipt.h"
 #include "render/image/image_io.h"
+#include "render/video/sound_file.h"
 #include "render/video/video.h"
 
 namespace mien::pipeline {
@@ -43,6 +44,11 @@ void read_from_to(const fs::path& file, const std::string& first, const std::str
     throw std::runtime_error("is truncated or not the expected file");
 }
 
+bool is_sound(const fs::path& file) {
+  const std::vector<std::string> endings = render::sound_endings();
+  return std::ranges::find(endings, motion::lower_case_ending(file)) != endings.end();
+}
+
 void decode_by_ending(const fs::path& file) {
   static const std::map<std::string, std::function<void(const fs::path&)>> readers = {
       {".png", [](const fs::path& one) { render::check_image(one); }},
@@ -60,6 +66,8 @@ void decode_by_ending(const fs::path& file) {
   const auto reader = readers.find(file.extension().string());
   if (render::video_kind_of(file)) {
     render::probe(file);
+  } else if (is_sound(file)) {
+    render::read_sound(file);
   } else if (motion::is_found_as_motion(file)) {
     motion::read_file(file);
   } else if (reader != readers.end()) {
@@ -82,6 +90,21 @@ std::string fault_of_video(const render::VideoSummary& video, const VideoRecord&
   return "";
 }
 
+/// What is wrong with the sound of a video by its record; decoding it throws.
+std::string fault_of_sound(const fs::path& file, const VideoSoundRecord& record) {
+  const std::optional<render::VideoSound> found = render::sound_of_video(file);
+  if (!found) return "has no sound, and its record has one";
+  if (found->codec != record.codec)
+    return fmt::format("has a sound in {} instead of the {} of its record", found->codec,
+                       record.codec);
+  if (found->sound.channels != record.channels || found->sound.frames() < record.frames)
+    return fmt::format(
+        "has a sound of {} sample frames and {} channels instead of the {} and {} of "
+        "its record",
+        found->sound.frames(), found->sound.channels, record.frames, record.channels);
+  return "";
+}
+
 /// What a reader throws, in words that follow the file's name.
 std::string reader_fault(const fs::path& file, const std::exception& error) {
   std::string text = error.what();
@@ -94,8 +117,8 @@ std::string reader_fault(const fs::path& file, const std::exception& error) {
 }
 
 /// What is wrong with a file that mien wrote, found by reading all of it as what its name says:
-/// videos (decoded, their frames counted, their time measured), pictures (every pixel), CSV, JSON,
-/// motions, PDF and pages (from beginning to end), texts. Empty when nothing is.
+/// videos (decoded, their frames counted, their time measured), sounds, pictures (every pixel),
+/// CSV, JSON, motions, PDF and pages (from beginning to end), texts. Empty when nothing is.
 std::string decoding_fault(const fs::path& file) {
   try {
     decode_by_ending(file);
@@ -108,7 +131,9 @@ std::string decoding_fault(const fs::path& file) {
 /// What is wrong with a video; also if it is not the one of the film's record.
 std::string decoding_fault(const fs::path& file, const VideoRecord& record) {
   try {
-    return fault_of_video(render::probe(file), record);
+    std::string fault = fault_of_video(render::probe(file), record);
+    if (fault.empty() && record.sound) fault = fault_of_sound(file, *record.sound);
+    return fault;
   } catch (const std::exception& error) {
     return reader_fault(file, error);
   }

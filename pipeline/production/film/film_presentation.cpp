@@ -51,22 +51,24 @@ bool is_light(std::uint8_t grey) { return grey > 127; }
 
 }  // namespace
 
-PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames) {
+PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames,
+                             int held_frames) {
   PresentationFrames frames;
   if (!presentation.card.empty()) frames.card = whole_frames(presentation.card_seconds, fps);
   frames.fixation = whole_frames(presentation.fixation_seconds, fps);
   frames.blank_before = whole_frames(presentation.blank_before, fps);
   frames.film = film_frames;
+  frames.held = held_frames;
   frames.blank_after = whole_frames(presentation.blank_after, fps);
   frames.fade_in = std::min(film_frames, whole_frames(presentation.fade_in, fps));
   frames.fade_out = std::min(film_frames, whole_frames(presentation.fade_out, fps));
   return frames;
 }
 
-Presenter::Presenter(const Output& output, int film_frames, int eyes)
+Presenter::Presenter(const Output& output, int film_frames, int eyes, int held_frames)
     : output_(output),
       eyes_(eyes),
-      frames_(frames_of(output.presentation, output.fps, film_frames)),
+      frames_(frames_of(output.presentation, output.fps, film_frames, held_frames)),
       background_(code_of(output.presentation.background)) {}
 
 void Presenter::take(const render::Image8& picture, const Show& show) {
@@ -86,14 +88,18 @@ void Presenter::take(const render::Image8& picture, const Show& show) {
     }
     if (frames_.blank_before > 0) repeat(blank_picture(size, background_), frames_.blank_before);
   }
-  const double rising = frames_.fade_in > 0 ? (taken_ + 0.5) / frames_.fade_in : 1.0;
-  const double sinking =
-      frames_.fade_out > 0 ? (frames_.film - taken_ - 0.5) / frames_.fade_out : 1.0;
+  show_faded(picture, taken_, show);
+  if (++taken_ < frames_.film) return;
+  for (int held = 0; held < frames_.held; ++held) show_faded(picture, taken_ + held, show);
+  if (frames_.blank_after > 0) repeat(blank_picture(size, background_), frames_.blank_after);
+}
+
+void Presenter::show_faded(const render::Image8& picture, int number, const Show& show) const {
+  const int count = frames_.film + frames_.held;
+  const double rising = frames_.fade_in > 0 ? (number + 0.5) / frames_.fade_in : 1.0;
+  const double sinking = frames_.fade_out > 0 ? (count - number - 0.5) / frames_.fade_out : 1.0;
   const double share = std::min(rising, sinking);
   share < 1.0 ? show(faded(picture, share)) : show(picture);
-  if (++taken_ == frames_.film && frames_.blank_after > 0) {
-    repeat(blank_picture(size, background_), frames_.blank_after);
-  }
 }
 
 render::Image8 Presenter::faded(const render::Image8& picture, double share) const {

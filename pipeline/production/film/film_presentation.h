@@ -16,17 +16,19 @@ struct PresentationFrames {
   int fixation = 0;
   int blank_before = 0;
   int film = 0;
+  int held = 0;  ///< by which the film's last picture is shown longer, with a longer sound
   int blank_after = 0;
   int fade_in = 0;   ///< how many of the film's frames the fade-in covers
-  int fade_out = 0;  ///< how many of the film's frames the fade-out covers
+  int fade_out = 0;  ///< how many of the last frames, held ones included, the fade-out covers
 
   int before() const { return card + fixation + blank_before; }
-  int all() const { return before() + film + blank_after; }
+  int all() const { return before() + film + held + blank_after; }
 };
 
 /// Returns the presentation with its durations rounded to the nearest whole number of frames.
 /// `fps`: frames per second.
-PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames);
+PresentationFrames frames_of(const Presentation& presentation, double fps, int film_frames,
+                             int held_frames = 0);
 
 /// Returns what is wrong if videos are to be written and both fades together last more than half a
 /// frame longer than a film of `film_frames` frames; otherwise empty.
@@ -44,15 +46,17 @@ class Presenter {
   using Show = std::function<void(const render::Image8& picture)>;
 
   /// Each of the `eyes` gets its own card and cross, in its part of the picture.
-  Presenter(const Output& output, int film_frames, int eyes = 1);
+  Presenter(const Output& output, int film_frames, int eyes = 1, int held_frames = 0);
 
   const PresentationFrames& frames() const { return frames_; }
 
   /// Takes the film's next frame and shows it. The first frame is preceded by the pictures that are
-  /// shown before the film, and the last frame is followed by those that are shown after it.
+  /// shown before the film, and the last frame is held and followed by those that are shown after
+  /// it.
   void take(const render::Image8& picture, const Show& show);
 
  private:
+  void show_faded(const render::Image8& picture, int number, const Show& show) const;
   render::Image8 faded(const render::Image8& picture, double share) const;
 
   Output output_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "motion/text/safe_name.h"
@@ -11,10 +12,64 @@ namespace mien::pipeline {
 
 using nlohmann::ordered_json;
 
+namespace {
+
+ordered_json video_sound_json(const VideoSoundRecord& sound) {
+  ordered_json json = {{"codec", sound.codec},       {"rate", sound.rate},
+                       {"channels", sound.channels}, {"frames", sound.frames},
+                       {"hash", sound.hash},         {"correlation", sound.correlation}};
+  if (sound.offset_frames) json["offset_frames"] = *sound.offset_frames;
+  return json;
+}
+
+VideoSoundRecord video_sound_of(const nlohmann::json& json) {
+  VideoSoundRecord sound{.codec = json.at("codec"),
+                         .rate = json.at("rate"),
+                         .channels = json.at("channels"),
+                         .frames = json.at("frames"),
+                         .hash = json.at("hash"),
+                         .offset_frames = {},
+                         .correlation = json.at("correlation")};
+  if (json.contains("offset_frames")) sound.offset_frames = json.at("offset_frames");
+  return sound;
+}
+
+ordered_json sound_json(const SoundRecord& sound) {
+  ordered_json json = {{"file", sound.file},         {"of", sound.of},
+                       {"offset_s", sound.offset_s}, {"gain_db", sound.gain_db},
+                       {"length", sound.length},     {"source_s", sound.source_s},
+                       {"channels", sound.channels}, {"held_frames", sound.held_frames},
+                       {"cut_s", sound.cut_s},       {"silence_s", sound.silence_s}};
+  if (sound.loudness_lufs) json["loudness_lufs"] = *sound.loudness_lufs;
+  if (sound.true_peak_dbtp) json["true_peak_dbtp"] = *sound.true_peak_dbtp;
+  return json;
+}
+
+SoundRecord sound_of(const nlohmann::json& json) {
+  SoundRecord sound{.file = json.at("file"),
+                    .of = json.at("of"),
+                    .offset_s = json.at("offset_s"),
+                    .gain_db = json.at("gain_db"),
+                    .length = json.at("length"),
+                    .source_s = json.at("source_s"),
+                    .channels = json.at("channels"),
+                    .held_frames = json.at("held_frames"),
+                    .cut_s = json.at("cut_s"),
+                    .silence_s = json.at("silence_s"),
+                    .loudness_lufs = {},
+                    .true_peak_dbtp = {}};
+  if (json.contains("loudness_lufs")) sound.loudness_lufs = json.at("loudness_lufs");
+  if (json.contains("true_peak_dbtp")) sound.true_peak_dbtp = json.at("true_peak_dbtp");
+  return sound;
+}
+
+}  // namespace
+
 ordered_json video_json(const VideoRecord& video) {
   ordered_json json = {
       {"file", video.file}, {"format", video.format},         {"frames", video.frames},
       {"fps", video.fps},   {"duration_s", video.duration_s}, {"identical", video.identical}};
+  if (video.sound) json["sound"] = video_sound_json(*video.sound);
   if (video.identical) return json;
   json["worst_psnr_db"] = video.worst_psnr_db;
   json["worst_psnr_frame"] = video.worst_psnr_frame;
@@ -30,6 +85,7 @@ VideoRecord video_record_of(const nlohmann::json& json) {
                     .fps = json.at("fps"),
                     .duration_s = json.at("duration_s"),
                     .identical = json.at("identical")};
+  if (json.contains("sound")) video.sound = video_sound_of(json.at("sound"));
   if (video.identical) return video;
   video.worst_psnr_db = json.at("worst_psnr_db");
   video.worst_psnr_frame = json.at("worst_psnr_frame");
@@ -55,6 +111,18 @@ VideoRecord video_record(const std::string& file, render::VideoKind kind, double
   return video;
 }
 
+VideoSoundRecord video_sound_record(const render::SoundCheck& check) {
+  VideoSoundRecord sound;
+  sound.codec = check.codec;
+  sound.rate = render::sound_rate;
+  sound.channels = check.channels;
+  sound.frames = check.frames;
+  sound.hash = fmt::format("{:016x}", check.hash);
+  if (check.match.offset_frames) sound.offset_frames = static_cast<int>(*check.match.offset_frames);
+  sound.correlation = std::round(1000.0 * check.match.correlation) / 1000.0;
+  return sound;
+}
+
 std::string film_record_text(const FilmRecord& record) {
   const render::ClipLuminance& luminance = record.luminance;
   ordered_json videos = ordered_json::array();
@@ -74,6 +142,7 @@ std::string film_record_text(const FilmRecord& record) {
   if (!record.warnings.empty()) json["warnings"] = record.warnings;
   if (record.figure_place) json["figure_place"] = *record.figure_place;
   if (record.visual_degrees) json["visual_degrees"] = *record.visual_degrees;
+  if (record.sound) json["sound"] = sound_json(*record.sound);
   return json.dump(2) + "\n";
 }
 
@@ -87,6 +156,7 @@ FilmRecord parse_film_record(const std::string& text) {
     record.figure_px = json.at("figure_px");
     if (json.contains("figure_place")) record.figure_place = json.at("figure_place");
     if (json.contains("visual_degrees")) record.visual_degrees = json.at("visual_degrees");
+    if (json.contains("sound")) record.sound = sound_of(json.at("sound"));
     const nlohmann::json& luminance = json.at("luminance");
     record.luminance = {.frames = luminance.at("frames"),
                         .mean = luminance.at("mean"),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,9 +9,41 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "render/image/luminance.h"
+#include "render/video/sound_file.h"
 #include "render/video/video_check.h"
 
 namespace mien::pipeline {
+
+/// The sound of a video and the result of its check (render::check_sound).
+struct VideoSoundRecord {
+  std::string codec;  ///< "aac"
+  int rate = 0;       ///< sample frames per second
+  int channels = 0;
+  std::int64_t frames = 0;  ///< sample frames
+  std::string hash;         ///< of the sound that was encoded: XXH3-64, 16 hexadecimal digits
+  std::optional<int> offset_frames;  ///< measured shift of the decoded sound; not set for silence
+  double correlation = 0.0;          ///< of the decoded sound with the encoded one
+
+  friend bool operator==(const VideoSoundRecord&, const VideoSoundRecord&) = default;
+};
+
+/// What is heard in a film: its source, and how it was fitted to the film (film_sound.h).
+struct SoundRecord {
+  std::string file;       ///< file name of the source
+  std::string of;         ///< id of the stimulus that states it
+  double offset_s = 0.0;  ///< time of the source at which the film begins
+  double gain_db = 0.0;   ///< applied in all, including that of equalized loudness
+  std::string length;     ///< "error", "cut" or "hold"
+  double source_s = 0.0;  ///< duration of the source
+  int channels = 0;
+  int held_frames = 0;                   ///< by which the film's last picture is shown longer
+  double cut_s = 0.0;                    ///< by which the sound was cut at its end
+  double silence_s = 0.0;                ///< silence after the sound until the film ends
+  std::optional<double> loudness_lufs;   ///< integrated; not set if it cannot be measured
+  std::optional<double> true_peak_dbtp;  ///< not set for silence
+
+  friend bool operator==(const SoundRecord&, const SoundRecord&) = default;
+};
 
 /// One video of a film and the result of its check.
 struct VideoRecord {
@@ -25,6 +58,7 @@ struct VideoRecord {
   int worst_psnr_frame = 0;
   double worst_ssim = 0.0;
   int worst_ssim_frame = 0;
+  std::optional<VideoSoundRecord> sound = {};
 
   friend bool operator==(const VideoRecord&, const VideoRecord&) = default;
 };
@@ -42,12 +76,15 @@ struct FilmRecord {
   int film_frames = 0;
   int first_film_frame = 0;  ///< index of the film's first frame in the videos
   std::vector<VideoRecord> videos;
+  std::optional<SoundRecord> sound;
   /// Warnings about the figures, such as parts of a character that are not shown.
   std::vector<std::string> warnings;
 };
 
 VideoRecord video_record(const std::string& file, render::VideoKind kind, double fps,
                          const render::VideoCheck& check);
+
+VideoSoundRecord video_sound_record(const render::SoundCheck& check);
 
 /// Returns the video's entry in the record of a film.
 nlohmann::ordered_json video_json(const VideoRecord& video);

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "render/error.h"
 
 namespace mien::pipeline {
 
-FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames)
+FilmRecorder::FilmRecorder(const FilmSettings& settings, int film_frames,
+                           std::optional<FilmSound> sound)
     : settings_(settings),
-      presenter_(settings.output, film_frames, settings.eyes),
+      sound_(std::move(sound)),
+      presenter_(settings.output, film_frames, settings.eyes, sound_ ? sound_->held_frames : 0),
       sketch_(settings.output.shown_size()[0], settings.output.shown_size()[1], row_step()) {}
 
 int FilmRecorder::row_step() const {
@@ -38,7 +41,8 @@ void FilmRecorder::open(const std::filesystem::path& file, render::VideoKind kin
 // When a first frame is there: while it is encoded, others are drawn.
 void FilmRecorder::begin_files() {
   for (const auto& [kind, file] : files_)
-    writers_.emplace(kind, render::VideoWriter(file, format_of(kind)));
+    writers_.emplace(kind,
+                     render::VideoWriter(file, format_of(kind), sound_ ? &sound_->sound : nullptr));
   files_.clear();
 }
 
@@ -65,8 +69,16 @@ void FilmRecorder::close() {
 
 const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
                                               render::VideoKind kind) {
-  return checks_[kind] = render::check_video(file, format_of(kind), sketch_, &receipts_.at(kind),
-                                             settings_.threads);
+  const render::VideoReceipt& receipt = receipts_.at(kind);
+  if (sound_)
+    sound_checks_[kind] = render::check_sound(file, kind, sound_->sound, receipt.sound.value());
+  return checks_[kind] =
+             render::check_video(file, format_of(kind), sketch_, &receipt, settings_.threads);
+}
+
+std::optional<render::SoundCheck> FilmRecorder::sound_check(render::VideoKind kind) const {
+  const auto found = sound_checks_.find(kind);
+  return found == sound_checks_.end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace mien::pipeline

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_presentation.h"
+#include "pipeline/production/film/film_sound.h"
 #include "render/video/video.h"
 #include "render/video/video_check.h"
 
@@ -13,15 +15,16 @@ namespace mien::pipeline {
 /// Encodes the frames of a film into several videos at once, including the presentation around the
 /// film, and checks the files against the pictures before encoding.
 ///
-///   FilmRecorder recorder(settings, shot.frame_count());
+///   FilmRecorder recorder(settings, shot.frame_count(), sound);
 ///   recorder.open(file, render::VideoKind::webm);
 ///   draw_frames(…, [&](int, const render::Image8& picture) { recorder.take(picture); }, …);
 ///   recorder.close();
 ///   recorder.check(file, render::VideoKind::webm);
 class FilmRecorder {
  public:
-  /// `settings` must outlive the object.
-  FilmRecorder(const FilmSettings& settings, int film_frames);
+  /// `sound` is what is heard in the videos, if anything. `settings` must outlive the object.
+  FilmRecorder(const FilmSettings& settings, int film_frames,
+               std::optional<FilmSound> sound = std::nullopt);
 
   /// Adds a file to be written. Its encoder starts with the first frame. Must be called before the
   /// first `take`.
@@ -37,6 +40,11 @@ class FilmRecorder {
   /// than its format's lossy encoding allows.
   const render::VideoCheck& check(const std::filesystem::path& file, render::VideoKind kind);
 
+  /// The result of checking the sound of a file that was checked; nothing without a sound.
+  std::optional<render::SoundCheck> sound_check(render::VideoKind kind) const;
+
+  const std::optional<FilmSound>& sound() const { return sound_; }
+
   /// Returns the results of the checks.
   const std::map<render::VideoKind, render::VideoCheck>& checks() const { return checks_; }
 
@@ -48,6 +56,7 @@ class FilmRecorder {
   int row_step() const;  ///< step between checked rows: the smallest that a format requires
 
   const FilmSettings& settings_;
+  std::optional<FilmSound> sound_;
   Presenter presenter_;
   render::VideoSketch sketch_;
   // Files whose encoders have not started.
@@ -55,6 +64,7 @@ class FilmRecorder {
   std::map<render::VideoKind, render::VideoWriter> writers_;
   std::map<render::VideoKind, render::VideoReceipt> receipts_;
   std::map<render::VideoKind, render::VideoCheck> checks_;
+  std::map<render::VideoKind, render::SoundCheck> sound_checks_;
 };
 
 }  // namespace mien::pipeline

@@ -24,6 +24,11 @@ struct MadeVideo {
   const VideoRecord& video;
   std::string hash;
 
+  template <class Value>
+  std::string of_sound(Value VideoSoundRecord::*member) const {
+    return video.sound ? fmt::format("{}", (*video.sound).*member) : "";
+  }
+
   std::string unless_identical(std::string text) const { return video.identical ? "" : text; }
 };
 
@@ -90,6 +95,26 @@ constexpr auto videos_columns = table_of<MadeVideo>(
      {"worst_ssim_frame", "",
       "number of that frame in the video, counted from 0; empty where identical",
       [](auto& r) { return r.unless_identical(std::to_string(r.video.worst_ssim_frame)); }},
+     {"sound_codec", "", "codec of the sound: aac or opus; empty without a sound",
+      [](auto& r) { return r.of_sound(&VideoSoundRecord::codec); }},
+     {"sound_channels", "", "number of channels of the sound, at 48 kHz; empty without a sound",
+      [](auto& r) { return r.of_sound(&VideoSoundRecord::channels); }},
+     {"sound_frames", "", "number of sample frames of the sound, at 48 kHz; empty without a sound",
+      [](auto& r) { return r.of_sound(&VideoSoundRecord::frames); }},
+     {"sound_offset_frames", "",
+      "by how many sample frames the decoded sound is later than the encoded one, measured by "
+      "cross-correlation; empty for silence and without a sound",
+      [](auto& r) {
+        const bool is_measured = r.video.sound && r.video.sound->offset_frames;
+        return is_measured ? std::to_string(*r.video.sound->offset_frames) : "";
+      }},
+     {"sound_correlation", "",
+      "correlation of the decoded sound with the encoded one; empty without a sound",
+      [](auto& r) {
+        return r.video.sound ? fmt::format("{:.3f}", r.video.sound->correlation) : "";
+      }},
+     {"sound_hash", "", "XXH3-64 of the sound before encoding; empty without a sound",
+      [](auto& r) { return r.of_sound(&VideoSoundRecord::hash); }},
      {"video_hash", "", "XXH3-128 of the file", [](auto& r) { return r.hash; }}});
 
 constexpr auto views_columns = table_of<MadeFilm>(

@@ -11,7 +11,9 @@
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_recorder.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/film/film_sound.h"
 #include "pipeline/production/film/film_tables.h"
+#include "pipeline/production/film/film_waveform.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/luminance.h"
@@ -69,7 +71,10 @@ class FilmMaker {
         run_(run),
         shot_(exposed(subject.make_shot(equalized), equalized.exposure_stops)),
         contact_(shot_.frame_count()),
-        recorder_(settings_, shot_.frame_count()) {
+        recorder_(settings_, shot_.frame_count(),
+                  output_.video.empty()
+                      ? std::nullopt
+                      : film_sound(subject.film, subject.equalize.loudness, shot_.frame_count())) {
     settings_.light_cache = disk_light_cache(run.store, run.stop);
     settings_.on_frame_drawn = [&run](double seconds) {
       run.store.heartbeat().count_frame(seconds);
@@ -97,7 +102,8 @@ class FilmMaker {
     }
     if (keeps_frames()) frames->publish(names_of(every_frame(), output_.frames));
     put_contact_sheet(next++);
-    put_record(next);
+    put_record(next++);
+    if (recorder_.sound()) put_waveform(next);
     if (!keeps_frames()) frames->drop();
   }
 
@@ -170,7 +176,10 @@ class FilmMaker {
     record_.first_film_frame = recorder_.frames().before();
     for (const auto& [kind, check] : recorder_.checks()) {
       record_.videos.push_back(video_record(video_path(id_, kind), kind, output_.fps, check));
+      if (const auto sound = recorder_.sound_check(kind))
+        record_.videos.back().sound = video_sound_record(*sound);
     }
+    if (recorder_.sound()) record_.sound = recorder_.sound()->record;
     run_.put_text(product, film_record_text(record_),
                   [](const std::filesystem::path& file) { parse_film_record(read_file(file)); });
   }
@@ -180,6 +189,11 @@ class FilmMaker {
         product,
         [&](const std::filesystem::path& file) { render::write_png(file, contact_.build()); },
         render::read_png8);
+  }
+
+  void put_waveform(std::size_t product) {
+    run_.put_text(product, waveform_svg(*recorder_.sound(), recorder_.frames(), output_.fps),
+                  read_file);
   }
 
   const Stimulus& film_;
@@ -254,6 +268,7 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
     task.products.push_back({"frames/" + stimulus.id, stored});
   KeyBuilder shown = stored;
   add_presentation(shown, output.presentation);
+  add_sound(shown, stimulus, subject.equalize, shared.files);
   KeyBuilder shown_kinds = shown;
   for (const render::VideoKind kind : output.video) {
     task.products.push_back({video_path(stimulus.id, kind), shown});
@@ -261,6 +276,8 @@ Task film_task(const FilmSubject& subject, const FilmSettings& settings,
   }
   task.products.push_back({"sheets/contact/" + stimulus.id + ".png", stored});
   task.products.push_back({film_record_path(stimulus.id), shown_kinds});
+  if (stimulus.sound && !output.video.empty())
+    task.products.push_back({waveform_path(stimulus.id), shown});
   task.cost_seconds = cost_of(output);
   const Equalize& equalize = subject.equalize;
   task.determinants.add("duration", std::int64_t{equalize.duration});

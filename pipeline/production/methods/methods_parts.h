@@ -51,6 +51,9 @@ void describe_modifications(MethodsText& out);
 /// between motions.
 void describe_pictures(MethodsText& out);
 
+/// The sounds of the videos: sources, exchange, lengths, encoding and loudness.
+void describe_sounds(MethodsText& out);
+
 /// Every setting of films and of the interpolation of their motions that differs from its default,
 /// except those that other sentences state for all films; also the number and size of the dots of
 /// point-light figures, and the number of markers with the share of their gaps.

@@ -125,6 +125,7 @@ void describe_pictures(MethodsText& out) {
   describe_videos(out);
   describe_settings(out);
   describe_equalization(out);
+  describe_sounds(out);
   describe_distances(out);
 }
 

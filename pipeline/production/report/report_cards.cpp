@@ -9,6 +9,7 @@
 #include "pipeline/base/documents/html.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_presentation.h"
+#include "pipeline/production/film/film_waveform.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/lint_timeline.h"
 #include "pipeline/production/report/report_parts.h"
@@ -99,9 +100,9 @@ std::string video_of(const Stimulus& stimulus) {
   });
   if (plays != std::end(playable)) {
     html = fmt::format(
-        "<video controls loop muted playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
+        "<video controls {} playsinline preload=\"metadata\" width=\"{}\" height=\"{}\" "
         "src=\"{}{}\"></video>\n",
-        width, height, link(*plays), still_of(stimulus.output));
+        stimulus.sound ? "" : "loop muted", width, height, link(*plays), still_of(stimulus.output));
   } else if (moves != kinds.end()) {
     html = fmt::format("<img loading=\"lazy\" width=\"{}\" height=\"{}\" src=\"{}\" alt=\"{}\">\n",
                        width, height, link(*moves), html_escaped(stimulus.id));
@@ -113,6 +114,19 @@ std::string video_of(const Stimulus& stimulus) {
                          render::traits_of(kind).name);
   }
   return links.empty() ? html : html + "<p>" + links + "</p>\n";
+}
+
+/// The waveform of a stimulus's sound, and where it comes from.
+std::string sound_of_card(const Stimulus& stimulus) {
+  if (!stimulus.sound || stimulus.output.video.empty()) return "";
+  const StimulusSound& sound = *stimulus.sound;
+  const std::string id = html_escaped(stimulus.id);
+  std::string source = html_escaped(sound.file.filename().string());
+  if (sound.of != stimulus.id) source += ", the sound of " + html_escaped(sound.of);
+  if (sound.offset != 0.0) source += fmt::format(", offset {:g} s", sound.offset);
+  return fmt::format(
+      "<img loading=\"lazy\" src=\"{}\" alt=\"Waveform of the sound of {}\">\n<p>Sound: {}.</p>\n",
+      html_escaped(waveform_path(stimulus.id)), id, source);
 }
 
 /// The frames of a film at a glance.
@@ -131,7 +145,7 @@ std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceL
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
                   name_of(stimulus.role), id, id, name_of(stimulus.role));
-  card += video_of(stimulus) + contact_sheet(id);
+  card += video_of(stimulus) + sound_of_card(stimulus) + contact_sheet(id);
   card += fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
   if (const std::string markers = marker_facts(stimulus, motions); !markers.empty())
     card += fmt::format("<p>Shown: {}.</p>\n", html_escaped(markers));

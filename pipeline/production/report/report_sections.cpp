@@ -28,6 +28,9 @@ std::string alike(const Equalize& equalize) {
       "height of the standing figure in pixels (to the smallest: <a "
       "href=\"metrics/sizes.csv\">sizes.csv</a>)");
   add(equalize.place, "position in the image (<a href=\"metrics/places.csv\">places.csv</a>)");
+  if (equalize.loudness) {
+    in_all.push_back(fmt::format("loudness of the sounds ({:g} LUFS)", *equalize.loudness));
+  }
   add(equalize.luminance,
       "mean luminance (by exposure: <a href=\"metrics/exposure.csv\">exposure.csv</a>)");
   std::string text;

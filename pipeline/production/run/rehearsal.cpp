@@ -11,6 +11,7 @@
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/film/film_sound.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/synthesis/motion_task.h"
 #include "pipeline/tasks/parallel.h"
@@ -82,6 +83,7 @@ class Rehearsal : public FaultList {
   void tell(const Stimulus& stimulus, const Staging& staging) {
     if (!staging.wrong.empty()) return add(stimulus.path, staging.wrong, "");
     check_fades(stimulus, staging.frames);
+    check_sound(stimulus, staging.frames);
     if (const std::string wrong = unwritable_clip(stimulus, motions_); !wrong.empty())
       add_of_output(stimulus, "output.clips", wrong, "omit this format");
   }
@@ -89,6 +91,15 @@ class Rehearsal : public FaultList {
   void check_fades(const Stimulus& film, int frames) {
     const std::string wrong = fade_fault(film, frames);
     if (!wrong.empty()) add_of_output(film, "output.presentation", wrong, fade_remedy);
+  }
+
+  void check_sound(const Stimulus& stimulus, int frames) {
+    if (!stimulus.sound || stimulus.output.video.empty()) return;
+    try {
+      film_sound(stimulus, manifest_.equalize.loudness, frames);
+    } catch (const Error& error) {
+      add(member_path(stimulus.path, "audio"), error.what(), "");
+    }
   }
 
   /// A fault of what the film states itself or, if it does not, the manifest.

@@ -12,9 +12,10 @@ namespace mien::pipeline {
 /// Finds faults that appear only when motions are made and staged, before any frame is rendered for
 /// a film: examples that cannot be blended, clips without a human figure or without the requested
 /// frames or the body that a format of motion files requires, films shorter than their fades,
-/// figures that cannot have the same position in the picture, and luminance that cannot be
-/// equalized by any exposure. The manifest must have no faults (checked_manifest.h). Takes as long
-/// as making the motions, and slightly longer if luminance is equalized.
+/// sounds that cannot be read or do not fit their films, figures that cannot have the same position
+/// in the picture, and luminance that cannot be equalized by any exposure. The manifest must have
+/// no faults (checked_manifest.h). Takes as long as making the motions, and slightly longer if
+/// luminance is equalized.
 std::vector<Fault> rehearse(const Manifest& manifest);
 
 /// Does the same with `motions`, so that the motions can be reused afterwards.

@@ -39,6 +39,8 @@ void for_each_document(M& manifest, const Visit& visit) {
       if (!text->file.empty()) visit(text->file);
     }
   }
+  for (auto& stimulus : manifest.stimuli)
+    if (stimulus.audio && !stimulus.audio->file.empty()) visit(stimulus.audio->file);
   visit_set(manifest.look);
   for (auto& stimulus : manifest.stimuli) visit_set(stimulus.look);
   for (auto& overlay : manifest.overlays) visit_set(overlay.film.look);

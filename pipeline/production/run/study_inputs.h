@@ -22,7 +22,8 @@ struct InputCopy {
 };
 
 /// Returns the copies to make: the manifest first, then scales, recipes, ratings, the texts and
-/// scales of the questionnaire, the texts of the matching experiment, and sets, without duplicates.
+/// scales of the questionnaire, the texts of the matching experiment, sounds, and sets, without
+/// duplicates.
 /// Files in the manifest's folder keep their relative paths, so that the copied manifest finds
 /// them.
 std::vector<InputCopy> input_copies(const Manifest& manifest);

@@ -13,6 +13,7 @@
 
 #include "motion/error.h"
 #include "motion/text/file_contents.h"
+#include "pipeline/regression/comparison/compared_sounds.h"
 #include "pipeline/regression/comparison/frame_alignment.h"
 #include "pipeline/tasks/bounded_queue.h"
 #include "render/image/channels.h"
@@ -284,8 +285,10 @@ ComparedMedia compared_media(const fs::path& before, const fs::path& now, double
   const FrameNames names{then.names, today.names};
   const FrameAlignment alignment = align(then.frames, today.frames, names);
   media.remarks.insert(media.remarks.end(), alignment.remarks.begin(), alignment.remarks.end());
-  if (!fs::is_directory(before) && !fs::is_directory(now) && is_video(before) && is_video(now))
+  if (!fs::is_directory(before) && !fs::is_directory(now) && is_video(before) && is_video(now)) {
     compare_containers(render::probe(before), render::probe(now), media.remarks, media.notes);
+    compare_sounds(before, now, media.remarks, media.notes);
+  }
   compare_pairs(media, alignment, names, mirroring);
   return media;
 }

@@ -5,6 +5,7 @@
 #include "pipeline/base/documents/utf8.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/film/film_presentation.h"
+#include "pipeline/production/film/film_sound.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
@@ -13,6 +14,9 @@ namespace {
 
 /// Between the two stimuli of a pair that are shown one after the other (page/…/stage.ts).
 constexpr double seconds_between_pair = 0.5;
+
+/// To read about the test of sound, hear about five tones and enter their number.
+constexpr double seconds_of_sound_test = 15.0;
 
 bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter == '\t'; }
 
@@ -51,6 +55,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
   double sum = 60.0 * words / pace.words_per_minute +
                pace.demographic * static_cast<double>(questionnaire.demographics.size() +
                                                       questionnaire.screening.questions.size());
+  if (questionnaire.screening.sound) sum += seconds_of_sound_test;
   for (const Trial& trial : plan.trials) {
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
@@ -70,7 +75,9 @@ VideoSeconds video_seconds(const Manifest& manifest) {
     if (stimulus == nullptr) continue;
     const Output& output = stimulus->output;
     const int frames = motions.shown(*stimulus).frame_count();
-    seconds[id] = frames_of(output.presentation, output.fps, frames).all() / output.fps;
+    const bool may_hold = stimulus->sound && stimulus->sound->length == SoundLength::hold;
+    const int held = may_hold ? film_sound(*stimulus, {}, frames)->held_frames : 0;
+    seconds[id] = frames_of(output.presentation, output.fps, frames, held).all() / output.fps;
   }
   return seconds;
 }

@@ -68,6 +68,10 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"stalls", "", "buffering interruptions"}, &Row::stalls},
     {{"stall_ms", "ms", "total duration of buffering interruptions"}, &Row::stall_ms},
     {{"dropped_frames", "", "video frames dropped by the browser"}, &Row::dropped_frames},
+    {{"volume_events", "",
+      "changes of the volume of videos with sound: milliseconds from trial onset, a colon, and the "
+      "volume from 0 (muted) to 1; separated by spaces"},
+     &Row::volume_events},
     {{"blurs", "", "tab switches during the trial"}, &Row::blurs},
     {{"blur_ms", "ms", "total time for which the window was left during the trial"}, &Row::blur_ms},
     {{"viewport_width", "px", "width of the browser viewport"}, &Row::viewport_width},
@@ -96,7 +100,8 @@ constexpr auto answer_row_columns = [] {
 
 /// Columns that tables of earlier versions do not have.
 bool is_later_column(std::string_view name) {
-  return name == "blur_ms" || name == "pixel_ratio" || name.starts_with("shown_");
+  return name == "blur_ms" || name == "volume_events" || name == "pixel_ratio" ||
+         name.starts_with("shown_");
 }
 
 /// Fills rows from fields and gathers what is wrong with them.

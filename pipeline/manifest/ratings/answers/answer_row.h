@@ -43,6 +43,8 @@ struct AnswerRow {
   std::optional<int> stalls;
   std::optional<double> stall_ms;
   std::optional<int> dropped_frames;
+  /// Changes of the volume of what is heard: "1530:0.5 2210:0", times in milliseconds.
+  std::string volume_events;
   std::optional<int> blurs;
   std::optional<double> blur_ms;
   std::optional<int> viewport_width;
@@ -90,8 +92,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 enum class DuplicateAnswers { refused, allowed };
 
 /// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`
-/// and there were no `blur_ms` and no sizes of stimuli. In the first case, a warning is added to
-/// `warnings` unless it is null. Columns may be in any order; unknown columns are ignored.
+/// and there were no `blur_ms`, `volume_events` and sizes of stimuli. In the first case, a warning
+/// is added to `warnings` unless it is null. Columns may be in any order; unknown columns are
+/// ignored.
 ///
 /// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults
 /// of the rows at once: an empty participant or trial, an empty stimulus or item (except in

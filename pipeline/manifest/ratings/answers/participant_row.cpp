@@ -16,7 +16,7 @@ constexpr auto participant_columns = table_of<ParticipantRow>(
      {"ended", "", "completed or screened_out; empty while under way, or if broken off",
       [](auto& r) { return r.ended; }},
      {"screening_fault", "",
-      "why the screening turned the participant away: answer, window, refresh_hz or quota",
+      "why the screening turned the participant away: answer, window, refresh_hz, sound or quota",
       [](auto& r) { return r.screening_fault; }},
      {"consent_version", "", "version of the consent text",
       [](auto& r) { return r.consent_version; }},

@@ -135,6 +135,7 @@ void add_media(ordered_json& experiment, const MediaFiles& media) {
                     {"seconds", file.seconds},
                     {"width", file.width},
                     {"height", file.height}};
+    if (file.has_sound) files[token]["sound"] = true;
     stimuli[token] = shown.first;
   }
   experiment["media"] = std::move(files);

@@ -63,6 +63,10 @@ ordered_json dataset_description(const Manifest& manifest) {
   for (const char* name : {"consented_at", "finished", "ended", "screening_fault",
                            "consent_version", "consent_sha256"})
     variables.push_back(variable(name, find_column(participant_form, name)->meaning));
+  if (questionnaire_of(manifest).screening.sound) {
+    variables.push_back(variable("tones_1", "number of tones that the participant counted"));
+    variables.push_back(variable("tones_2", "the same at the second attempt, after a wrong count"));
+  }
   for (const ScreeningQuestion& question : questionnaire_of(manifest).screening.questions)
     variables.push_back(variable(question.id, question.ask));
   for (const Demographic& question : questionnaire_of(manifest).demographics)

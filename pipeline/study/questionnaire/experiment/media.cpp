@@ -77,7 +77,8 @@ MediaFile video_of(const Stimulus& stimulus, const fs::path& folder) {
           .type = kind.type,
           .seconds = video->duration_s,
           .width = size[0],
-          .height = size[1]};
+          .height = size[1],
+          .has_sound = video->sound.has_value()};
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct MediaFile {
   double seconds = 0.0;  ///< duration
   int width = 0;         ///< pixels; 0 for a 3-D motion
   int height = 0;
+  bool has_sound = false;
 };
 
 /// Media files by stimulus id.

@@ -175,6 +175,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.stalls = reader.count("stalls");
   record.measured.stall_ms = reader.amount("stall_ms", max_ms);
   record.measured.dropped_frames = reader.count("dropped_frames");
+  record.measured.volume_events = table_text(reader.text("volume_events", max_comment_characters));
   record.measured.blurs = reader.count("blurs");
   record.measured.blur_ms = reader.amount("blur_ms", max_ms);
   record.measured.viewport_width = reader.count("viewport_width");

@@ -84,10 +84,12 @@ void check_questions(const std::vector<DemographicQuestion>& questions, const Pa
       throw RecordFault(fmt::format("\"{}\" is not answered", question.id));
 }
 
-/// A window that is too small, or a slow screen, turns participants away before any question.
+/// A window that is too small, a slow screen, or sound that is not heard turns participants away
+/// before any question.
 void check_screening(const Screening& screening, const PageRecord& record) {
   const ScreeningFault fault = screening_fault(screening, record);
   const bool is_measured = fault == ScreeningFault::window || fault == ScreeningFault::refresh_hz;
+  if (fault == ScreeningFault::sound) return check_questions(tone_questions_of(screening), record);
   if (!is_measured || !record.responses.empty()) check_questions(questions_of(screening), record);
 }
 

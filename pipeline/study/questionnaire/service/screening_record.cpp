@@ -1,6 +1,9 @@
 #include "pipeline/study/questionnaire/service/screening_record.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
 
 #include "motion/text/as_number.h"
 #include "pipeline/base/reading/field_reader.h"
@@ -23,6 +26,20 @@ const ItemResponse* answer_to(const std::string& question,
   return found == answers.end() ? nullptr : &*found;
 }
 
+constexpr int tone_attempts = 2;
+
+std::string tone_item(int attempt) { return fmt::format("tones_{}", attempt); }
+
+bool has_counted_tones(const PageRecord& record) {
+  for (int attempt = 1; attempt <= tone_attempts; ++attempt) {
+    const ItemResponse* answer = answer_to(tone_item(attempt), record.responses);
+    if (answer != nullptr && answer->is_number &&
+        answer->value_raw == std::to_string(tone_count(record.session, attempt)))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Screening screening_of(const nlohmann::ordered_json& experiment) {
@@ -43,8 +60,22 @@ nlohmann::ordered_json public_screening(const nlohmann::ordered_json& screening)
   return seen;
 }
 
-std::vector<DemographicQuestion> questions_of(const Screening& screening) {
+std::vector<DemographicQuestion> tone_questions_of(const Screening& screening) {
   std::vector<DemographicQuestion> questions;
+  for (int attempt = 1; screening.sound && attempt <= tone_attempts; ++attempt)
+    questions.push_back({.id = tone_item(attempt), .is_number = true, .required = attempt == 1});
+  return questions;
+}
+
+int tone_count(const std::string& session, int attempt) {
+  std::uint32_t hash = 0x811c9dc5U;
+  for (const unsigned char byte : fmt::format("{}/{}", session, attempt))
+    hash = (hash ^ byte) * 0x01000193U;
+  return 3 + static_cast<int>((hash >> 8U) % 5U);
+}
+
+std::vector<DemographicQuestion> questions_of(const Screening& screening) {
+  std::vector<DemographicQuestion> questions = tone_questions_of(screening);
   for (const ScreeningQuestion& one : screening.questions)
     questions.push_back({.id = one.id,
                          .is_number = one.answer.is_number,
@@ -63,6 +94,7 @@ ScreeningFault screening_fault(const Screening& screening, const PageRecord& rec
   if (screening.refresh_hz && record.measured.refresh_hz &&
       *record.measured.refresh_hz < *screening.refresh_hz)
     return ScreeningFault::refresh_hz;
+  if (screening.sound && !has_counted_tones(record)) return ScreeningFault::sound;
   for (const ScreeningQuestion& question : screening.questions) {
     const ItemResponse* answer = answer_to(question.id, record.responses);
     if (answer == nullptr || !is_within(question.accept, *answer)) return ScreeningFault::answer;

@@ -20,6 +20,7 @@
 #include "motion/skeleton/clip.h"
 #include "motion/skeleton/recording.h"
 #include "motion/two_takes.h"
+#include "render/sounds.h"
 #include "scenes/skinned_gltf.h"
 
 namespace mien::test {
@@ -66,6 +67,10 @@ constexpr char with_graph[] =
 constexpr char with_markers[] =
     R"({"stimuli": [{"id": "a", "clip": "normal.trc"}, {"id": "b", "clip": "sad.trc"}]})";
 constexpr char with_stills[] = R"({"sheets": [{"stills": ["a", "b"]}]})";
+constexpr char with_sounds[] =
+    R"({"output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}, "audio": {"file": "one.wav", "length": "cut"}}, {"id": "c", "weights": {"proud": 1}, "audio": {"file": "two.wav", "length": "cut"}}]})";
+constexpr char with_exchanged_sounds[] =
+    R"({"output": {"video": ["mp4"]}, "mismatch": {"audio": "derange"}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "audio": {"file": "one.wav", "length": "cut"}}, {"id": "b", "weights": {"sad": 1}, "audio": {"file": "two.wav", "length": "cut"}}, {"id": "c", "weights": {"proud": 1}, "audio": {"file": "three.wav", "length": "cut"}}]})";
 constexpr char with_overlay[] = R"({"overlays": [{"target": "a", "created": "b"}]})";
 
 constexpr char with_questions[] =
@@ -86,6 +91,14 @@ constexpr char with_matching[] =
     R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
 
 const Surroundings surroundings[] = {
+    {"stimuli[].audio.file", with_sounds, R"({"length": "cut"})"},
+    {"stimuli[].audio.from", with_sounds, R"({"length": "cut"})"},
+    {"stimuli[].audio.length", with_sounds, R"({"file": "one.wav"})"},
+    {"stimuli[].audio.", with_sounds, R"({"file": "one.wav", "length": "cut"})"},
+    {"stimuli[].audio", with_sounds, "{}"},
+    {"equalize.loudness", with_sounds, "{}"},
+    {"mismatch.", with_exchanged_sounds, "{}"},
+    {"mismatch", with_exchanged_sounds, "{}"},
     {"modify.drives[].limb", "{}", R"({"body": "right-foot-forward", "scale": 2})"},
     {"modify.drives[].body", "{}", R"({"limb": "left-hand-forward", "scale": 2})"},
     {"modify.drives[].", "{}", R"({"limb": "left-hand-forward", "body": "right-foot-forward"})"},
@@ -271,6 +284,17 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"stimuli[].audio",
+     R"([{"file": "one.wav", "length": "cut"}, {"file": "two.wav", "length": "cut"}])"},
+    {"stimuli[].audio.file", R"(["one.wav", "two.wav"])"},
+    {"stimuli[].audio.from", R"(["b", "c"])"},
+    {"stimuli[].audio.offset", "[0.5, -0.5]"},
+    {"stimuli[].audio.gain", "[-3, -6]"},
+    {"stimuli[].audio.length", R"(["cut", "hold"])"},
+    {"equalize.loudness", "[true, -30]"},
+    {"mismatch", R"([{"audio": "derange", "seed": 1}, {"audio": "derange", "seed": 2}])"},
+    {"mismatch.seed", "[1, 2]"},
+    {"mismatch.stimuli", R"([["a", "b"], ["b", "c"]])"},
     {"modify.drives",
      R"([[{"limb": "left-hand-forward", "body": "right-foot-forward", "scale": 2}], [{"limb": "left-hand-forward", "body": "right-foot-forward", "scale": 3}]])"},
     {"modify.drives[].scale", "[0.5, 2]"},
@@ -790,7 +814,7 @@ bool has_one_value(const std::string& path) {
   const bool is_refused = path.starts_with("overlays[].look.figure.point-light") ||
                           path.starts_with("overlays[].look.figure.markers") ||
                           path.starts_with("overlays[].look.figure.trail");
-  return path == "mien" || path.ends_with(".stick") || is_refused;
+  return path == "mien" || path == "mismatch.audio" || path.ends_with(".stick") || is_refused;
 }
 
 OptionVariants variants_of(const std::string& path, const json& node) {
@@ -828,6 +852,12 @@ void write_variant_files(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder / "smpl");
   std::ofstream(folder / "small.npz", std::ios::binary) << smpl_model_of_size(0.9);
   std::ofstream(folder / "tall.npz", std::ios::binary) << smpl_model_of_size(1.1);
+  // 2 s, longer than the films.
+  const render::Sound sound = render::test::noise(0.1, 2 * render::sound_rate);
+  render::test::write_wav(folder / "one.wav", sound);
+  render::test::write_wav(folder / "two.wav", render::test::noise(0.1, render::sound_rate, 2));
+  render::test::write_wav(folder / "three.wav",
+                          render::test::tone(440, 0.1, 2 * render::sound_rate));
   std::filesystem::create_directories(folder / "nameless");
   std::filesystem::create_directories(folder / "unrated");
   for (const char* name : {"one", "two"}) {

@@ -58,6 +58,8 @@ export interface Screening {
   /** Smallest width and height of the viewport, CSS pixels. */
   window?: [number, number];
   refresh_hz?: number;
+  /** Tones are counted, to show that sound is heard. */
+  sound?: boolean;
 }
 
 /** Where a participant is sent to: an address with parameters of the link in braces, and a code. */
@@ -130,6 +132,8 @@ export interface Media {
   seconds: number;
   width: number;
   height: number;
+  /** Whether it is heard; otherwise it is played muted. */
+  sound?: boolean;
 }
 
 export interface Session {
@@ -187,6 +191,8 @@ export interface PageRecord {
   stalls?: number;
   stall_ms?: number;
   dropped_frames?: number | null;
+  /** Changes of the volume of what is heard: "milliseconds:volume …". */
+  volume_events?: string;
   blurs?: number;
   blur_ms?: number;
   viewport_width?: number;

@@ -37,9 +37,9 @@ export function playsThrough(video: HTMLVideoElement): Promise<void> {
   });
 }
 
-export function videoOf(url: string): HTMLVideoElement {
+export function videoOf(url: string, sound = false): HTMLVideoElement {
   const video = document.createElement("video");
-  video.muted = true;
+  video.muted = !sound;
   video.playsInline = true;
   video.preload = "auto";
   video.disableRemotePlayback = true;

@@ -1,6 +1,7 @@
 import { answerColumns, participantColumns } from "./columns";
 import { screeningFault } from "./screening";
 import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import { toneAttempts, toneItem } from "./tone_count";
 import { kindOf } from "./trials/trial_kinds";
 
 export type Row = Record<(typeof answerColumns)[number], string>;
@@ -50,6 +51,7 @@ function rowsOf(
       stalls: numberText(record.stalls),
       stall_ms: numberText(record.stall_ms),
       dropped_frames: numberText(record.dropped_frames),
+      volume_events: record.volume_events ?? "",
       blurs: numberText(record.blurs),
       blur_ms: numberText(record.blur_ms),
       viewport_width: numberText(record.viewport_width),
@@ -120,7 +122,10 @@ export function participantsCsv(
   experiment: Pick<Experiment, "screening" | "demographics" | "design" | "consent" | "recruitment">,
   session: { participant: string }, records: Record<string, PageRecord>,
 ): string {
-  const questions = [...(experiment.screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id);
+  const { screening } = experiment;
+  const tones = screening?.sound ? Array.from({ length: toneAttempts }, (_, index) => toneItem(index + 1)) : [];
+  const questions = [...tones,
+    ...[...(screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id)];
   const row: Record<(typeof participantColumns)[number], string> & Record<string, string> = {
     participant: session.participant,
     session: records.consent?.session ?? "",

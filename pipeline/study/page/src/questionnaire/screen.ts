@@ -21,10 +21,12 @@ export interface ScreenEvents {
   stalled(): void;
   wentOn(): void;
   ended(): void;
+  /** The volume of what is heard was changed: 0 (muted) to 1. */
+  volumeChanged(volume: number): void;
 }
 
 function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
-  const video = videoOf(url);
+  const video = videoOf(url, media.sound);
   if (media.width && media.height) {
     video.width = media.width;
     video.height = media.height;
@@ -48,6 +50,8 @@ function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
     state = "still";
     told.ended();
   });
+  if (media.sound)
+    video.addEventListener("volumechange", () => told.volumeChanged(video.muted ? 0 : video.volume));
   return {
     element: video,
     ready: playsThrough(video),

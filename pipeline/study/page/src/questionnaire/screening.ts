@@ -1,11 +1,13 @@
-// The first page after consent: whether the window is large enough, the screen fast enough, and the answers to
-// the screening questions are accepted.
+// The first page after consent: whether the window is large enough, the screen fast enough, sound is heard, and
+// the answers to the screening questions are accepted.
 
 import { button, element, heading, paragraphs } from "./elements";
-import type { AnswerRange, PageRecord, Screening } from "./experiment";
+import type { AnswerRange, PageRecord, Response, Screening } from "./experiment";
 import { refreshRate } from "./measures";
 import { showTextPage, type GivenOnPage } from "./text_view";
 import type { Texts } from "./texts";
+import { hasCountedTones } from "./tone_count";
+import { countedTones } from "./tones";
 
 const isLargeEnough = ([width, height]: [number, number]): boolean =>
   innerWidth >= width && innerHeight >= height;
@@ -44,6 +46,7 @@ export function screeningFault(screening: Screening | undefined, record: PageRec
   const [width, height] = screening.window ?? [0, 0];
   if ((record.viewport_width ?? 0) < width || (record.viewport_height ?? 0) < height) return "window";
   if ((record.refresh_hz ?? Infinity) < (screening.refresh_hz ?? 0)) return "refresh_hz";
+  if (screening.sound && !hasCountedTones(record.session, record.responses)) return "sound";
   const given = new Map(record.responses.map(({ item, value_raw: value }) => [item, value]));
   const isRefused = (screening.questions ?? []).some(({ id, accept }) => {
     const value = given.get(id);
@@ -60,16 +63,19 @@ export async function runScreening(
   const startedAt = new Date().toISOString();
   const isLarge = !screening.window || await enlargedWindow(display, texts, screening.window);
   const measured = screening.refresh_hz ? await refreshRate() : null;
+  let tones: Response[] = [];
   const keepGiven = async ({ responses, started_at: at }: Partial<GivenOnPage>, page: HTMLElement) => {
     // The window may have become smaller while the questions were answered.
     if (isLarge && screening.window) await enlargedWindow(display, texts, screening.window);
-    await keep({ record: "screening", session, responses: responses ?? [], comment: "", started_at: at ?? startedAt,
+    await keep({ record: "screening", session, responses: [...tones, ...(responses ?? [])], comment: "", started_at: at ?? startedAt,
       viewport_width: innerWidth, viewport_height: innerHeight, refresh_hz: measured },
     page.isConnected ? page : display);
   };
   const isFast = (measured ?? Infinity) >= (screening.refresh_hz ?? 0);
+  if (screening.sound && isLarge && isFast) tones = await countedTones(display, session, texts);
+  const isHeard = !screening.sound || hasCountedTones(session, tones);
   const questions = (screening.questions ?? []).map((one) => ({ ...one, required: true }));
-  if (!isLarge || !isFast || !questions.length) return keepGiven({}, display);
+  if (!isLarge || !isFast || !isHeard || !questions.length) return keepGiven({}, display);
   await showTextPage(display, { title: texts.screening, questions, buttons: [texts.next], words: texts,
     keep: keepGiven });
 }

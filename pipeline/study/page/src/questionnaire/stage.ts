@@ -20,7 +20,11 @@ export interface Seen {
   stalls: number;
   stall_ms: number;
   dropped_frames: number | null;
+  volume_events: string;
 }
+
+/** More changes of the volume than these are not kept. */
+const mostVolumeEvents = 50;
 
 /** How long a film may stand still before it may be started again. */
 const patienceMs = 6000;
@@ -52,6 +56,7 @@ export class Stage {
   private stall_ms = 0;
   private stalledAt: number | null = null;
   private watchDog = 0;
+  private volumeEvents: string[] = [];
 
   constructor(
     shown: ShownMedia[], private settings: Settings, private texts: Texts,
@@ -82,6 +87,7 @@ export class Stage {
       stalled: () => this.stalled(),
       wentOn: () => this.wentOn(),
       ended: () => this.ended(),
+      volumeChanged: (volume) => this.volumeChanged(volume),
     };
     const screen = screenOf(url, media, label || this.texts.figure, colours[role], events);
     this.screens.push(screen);
@@ -148,6 +154,11 @@ export class Stage {
     if (this.firstStart !== null) return;
     this.firstStart = this.now();
     this.told.began();
+  }
+
+  private volumeChanged(volume: number): void {
+    if (this.volumeEvents.length < mostVolumeEvents)
+      this.volumeEvents.push(`${Math.round(this.now())}:${Math.round(100 * volume) / 100}`);
   }
 
   private stalled(): void {
@@ -231,6 +242,7 @@ export class Stage {
       stall_ms: Math.round(this.stall_ms),
       dropped_frames: dropped.includes(null) ? null
         : (dropped as number[]).reduce((sum, one) => sum + one, 0),
+      volume_events: this.volumeEvents.join(" "),
     };
   }
 

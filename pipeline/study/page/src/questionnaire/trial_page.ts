@@ -198,7 +198,7 @@ class TrialAtWork {
     const { trial, around } = this;
     const tokens = trial.reference ? [...trial.media, trial.reference] : trial.media;
     const seen = this.stage?.seen() ?? { replays: 0, play_start_ms: null, ended_ms: null, stalls: 0,
-      stall_ms: 0, dropped_frames: null };
+      stall_ms: 0, dropped_frames: null, volume_events: "" };
     return {
       record: `trial-${trial.number}`,
       session: around.name,

@@ -6,6 +6,7 @@ import { bundled } from "../bundled.mjs";
 
 const { completedEnd, destinationOf, keptParameters, parametersOf } = await bundled("questionnaire/recruitment.ts");
 const { screeningFault } = await bundled("questionnaire/screening.ts");
+const { hasCountedTones, toneCount } = await bundled("questionnaire/tone_count.ts");
 
 const recruitment = { url_parameters: ["id", "group"], pseudonymise: true, most_failed_checks: 1,
   ends: { completed: { address: "https://done", code: "D" } } };
@@ -61,4 +62,26 @@ test("screens by answers, both ends of a range included, by window and by refres
   assert.equal(screeningFault(screening, record(30, "yes", { refresh_hz: null })), "");
   assert.equal(screeningFault(screening, record(30, "yes", { responses: [] })), "answer");
   assert.equal(screeningFault(undefined, undefined), "");
+});
+
+// The same numbers as in tests/pipeline/study/questionnaire/service/screening_test.cpp.
+test("plays three to seven tones, as many as the server expects", () => {
+  assert.deepEqual(["b1", "b2", "3f9c-77"].map((session) => [toneCount(session, 1), toneCount(session, 2)]), [[5, 3], [5, 7], [3, 5]]);
+  const counts = Array.from({ length: 500 }, (_, index) => toneCount(`session-${index}`, 1));
+  for (const count of [3, 4, 5, 6, 7])
+    assert.ok(counts.filter((one) => one === count).length > 60, `${count} tones are seldom`);
+  assert.deepEqual([...new Set(counts)].sort(), [3, 4, 5, 6, 7]);
+});
+
+test("screens by the count of tones, of which one must be right", () => {
+  const first = toneCount("s", 1), second = toneCount("s", 2);
+  const given = (...counts) => ({ session: "s", viewport_width: 10, viewport_height: 10, refresh_hz: null,
+    responses: counts.map((value, index) => ({ item: `tones_${index + 1}`, value_raw: value })) });
+  assert.equal(screeningFault({ sound: true }, given(first)), "");
+  assert.equal(screeningFault({ sound: true }, given(first + 1, second)), "");
+  assert.equal(screeningFault({ sound: true }, given(first + 1)), "sound");
+  assert.equal(screeningFault({ sound: true }, given(first + 1, second + 1)), "sound");
+  assert.equal(screeningFault({ sound: true }, given()), "sound");
+  assert.equal(screeningFault({}, given()), "");
+  assert.ok(!hasCountedTones("other", given(toneCount("other", 1) + 1).responses));
 });

@@ -497,6 +497,84 @@ async function pairs() {
   return withFiles(opened, { frames });
 }
 
+/** The numbers of tones that the page of a session plays, as it plays them. */
+async function countTonesOf(page) {
+  await page.addInitScript(() => {
+    globalThis.tonesPlayed = 0;
+    const start = OscillatorNode.prototype.start;
+    OscillatorNode.prototype.start = function (...given) {
+      globalThis.tonesPlayed += 1;
+      return start.apply(this, given);
+    };
+  });
+}
+
+/** Plays the tones by keys alone; returns how many they were. */
+async function hearTones(page) {
+  await page.waitForFunction(() => document.querySelector("#tones"));
+  await page.evaluate(() => { globalThis.tonesPlayed = 0; });
+  const isDisabled = await page.locator("#tones").isDisabled();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.activeElement?.id === "tones", null, { timeout: 20000 });
+  return { count: await page.evaluate(() => globalThis.tonesPlayed), isDisabled };
+}
+
+/**
+ * Films with sound after a test of it: who counts wrong first and right then goes on, whoever is wrong twice does
+ * not. In the first trial with sound, the volume is changed while the film plays.
+ */
+async function heard() {
+  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+  const begin = async (participant) => {
+    const opened = await open("about:blank", { ...desktop, bypassCSP: true });
+    await countTonesOf(opened.page);
+    await opened.page.goto(`${onDisk}?participant=${participant}`);
+    await opened.page.locator(".page .buttons .main").click();
+    return opened;
+  };
+  const answer = async (page, number) => {
+    await page.keyboard.type(String(number));
+    await page.keyboard.press("Enter");
+  };
+  const deaf = await begin("p002");
+  const first = await hearTones(deaf.page);
+  await answer(deaf.page, first.count + 1);
+  await deaf.page.waitForFunction(() => /once more/.test(document.querySelector("main").innerText));
+  await answer(deaf.page, (await hearTones(deaf.page)).count + 1);
+  await deaf.page.waitForFunction(() => !document.querySelector("#tones"));
+  const turnedAway = await deaf.page.locator("main").innerText();
+
+  const opened = await begin("p001");
+  const { page } = opened;
+  await page.waitForFunction(() => document.querySelector("#tones"));
+  await page.evaluate(script);
+  const { violations } = await page.evaluate(() => window.axe.run());
+  const wrong = await hearTones(page);
+  await answer(page, "x");
+  const refused = await page.locator("#tones-wrong").innerText();
+  await page.locator("#tones").fill("");
+  await answer(page, wrong.count + 1);
+  await page.waitForFunction(() => /once more/.test(document.querySelector("main").innerText));
+  const right = await hearTones(page);
+  await answer(page, right.count);
+  await page.waitForFunction(() => !document.querySelector("#tones"));
+  const muted = [];
+  await take(page, { each: async (sight) => {
+    if (sight !== "trial" || !(await page.locator("video").count())) return false;
+    muted.push(...await page.locator("video").evaluateAll((all) => all.map((video) => video.muted)));
+    if (muted.filter((one) => !one).length === 1)
+      await page.evaluate(() => document.querySelector("video").addEventListener("playing", ({ target }) => {
+        target.volume = 0.5;
+        setTimeout(() => { target.muted = true; }, 100);
+      }, { once: true }));
+    return false;
+  } });
+  return withFiles(opened, { turned_away: turnedAway, counts: [first.count, wrong.count, right.count], refused,
+    is_disabled: wrong.isDisabled, muted, violations: violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`),
+    deaf: deaf.troubles });
+}
+
 /** What keys do on the page of consent and among answers; what a phone is told of them. */
 async function singleKeys() {
   const { page, troubles } = await open(`${onDisk}?participant=p001`);
@@ -622,7 +700,7 @@ async function takeToTrial(page) {
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
-  served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, thanks_again: thanksAgain, crowded };
+  served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, thanks_again: thanksAgain, crowded, heard };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/csv.h"
+#include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
 #include "pipeline/study/questionnaire/service/served_questionnaire.h"
 
@@ -135,6 +136,62 @@ TEST_F(ScreeningPage, TurnsAwayByAnswerWindowAndRefreshRate) {
   json unmeasured = record_of(session, 30);
   unmeasured["refresh_hz"] = nullptr;
   EXPECT_EQ(fault_of(unmeasured, session), "none");
+}
+
+// The same numbers as in pipeline/study/page/tests/questionnaire/recruitment.mjs.
+TEST(ToneCount, IsThatOfThePage) {
+  const auto counts = [](const std::string& session) {
+    return std::pair(tone_count(session, 1), tone_count(session, 2));
+  };
+  EXPECT_EQ(counts("b1"), std::pair(5, 3));
+  EXPECT_EQ(counts("b2"), std::pair(5, 7));
+  EXPECT_EQ(counts("3f9c-77"), std::pair(3, 5));
+}
+
+class SoundScreening : public ScreeningPage {
+ protected:
+  SoundScreening() {
+    study_.experiment["screening"]["sound"] = true;
+    study_.facts = questionnaire_facts(study_.experiment);
+  }
+
+  /// A record with counts of tones that differ from the right ones by these numbers.
+  json counted(int session, const std::vector<int>& errors, bool with_questions = true) {
+    json record = record_of(session, 30);
+    if (!with_questions) record["responses"] = json::array();
+    const std::string name = record["session"];
+    for (int i = 0; i < static_cast<int>(errors.size()); ++i)
+      record["responses"].push_back(
+          {{"item", "tones_" + std::to_string(i + 1)},
+           {"value_raw", tone_count(name, i + 1) + errors[static_cast<std::size_t>(i)]},
+           {"rt_ms", 1}});
+    return record;
+  }
+};
+
+TEST_F(SoundScreening, TurnsAwayWhoCountsTonesWrongTwice) {
+  int session = join();
+  EXPECT_EQ(end_after(counted(session, {0}), session), "");
+  session = join();
+  EXPECT_EQ(end_after(counted(session, {1, 0}), session), "");
+  session = join();
+  EXPECT_EQ(end_after(counted(session, {1, -1}, false), session), "screened_out");
+  EXPECT_EQ(state(session).screening_fault, ScreeningFault::sound);
+  session = join();
+  EXPECT_EQ(end_after(counted(session, {1}, false), session), "screened_out");
+  const std::string csv = participants_csv(study_, service().sessions());
+  EXPECT_NE(csv.find(",tones_1,tones_2,years,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",sound,"), std::string::npos) << csv;
+}
+
+TEST_F(SoundScreening, RefusesCountsThatItsPageCannotHaveSent) {
+  const int session = join();
+  EXPECT_EQ(give(session, counted(session, {}, false)).status, 400);        // no count
+  EXPECT_EQ(give(session, counted(session, {1, 1}, true)).status, 400);     // was asked more
+  EXPECT_EQ(give(session, counted(session, {0, 0, 0}, true)).status, 400);  // a third count
+  json word = counted(session, {0});
+  word["responses"].back()["value_raw"] = "five";
+  EXPECT_EQ(give(session, word).status, 400);
 }
 
 TEST_F(ScreeningPage, RefusesRecordsThatItsPageCannotHaveSent) {
