@@ -296,6 +296,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   append(faults, check_shown_videos(manifest));
   append(faults, check_recruitment(manifest));
   append(faults, check_screening(manifest));
+  append(faults, check_factorial(manifest));
   append(faults, check_quality(manifest));
   return faults;
 }
