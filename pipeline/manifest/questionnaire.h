@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/questionnaire_forms.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/manifest/recruitment.h"
@@ -156,6 +157,7 @@ struct AnalysisPlan {
   TestCorrection correction = TestCorrection::holm;
   /// Participants who fail more attention checks than this are excluded.
   int max_failed_checks = 1;
+  FactorialPlan factorial;
   QualityRules quality;
 };
 
@@ -164,6 +166,11 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field("alpha", analysis.alpha, concerns::nothing);
   field("correction", analysis.correction, concerns::nothing, correction_words);
   field("max_failed_checks", analysis.max_failed_checks, concerns::nothing);
+  field("factors", analysis.factorial.factors, concerns::nothing);
+  field("between", analysis.factorial.between, concerns::nothing);
+  field.each("contrasts", analysis.factorial.contrasts, concerns::nothing,
+             [] { return PlannedContrast(); });
+  field("random_slopes", analysis.factorial.random_slopes, concerns::nothing);
   field("quality", analysis.quality, concerns::nothing);
 }
 

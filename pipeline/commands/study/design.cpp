@@ -95,30 +95,50 @@ void take_between(const std::vector<std::string>& parts, PowerOptions& question)
   question.other_level = parts[1];
 }
 
-RatingSpread spread_of(const DesignCommand& command, const Manifest& manifest) {
+/// The variance of ratings on each scale that the questionnaire asks, or the stated one, which has
+/// no scale.
+std::vector<ScaleSpread> spreads_of(const DesignCommand& command, const Manifest& manifest) {
   if (!command.ratings.empty() && !command.spread.empty())
     throw Error("--ratings and --spread both specify the variance of ratings",
                 "give one of the two");
-  if (!command.ratings.empty())
-    return spread_of(read_answers(command.ratings, scales_to_choose(manifest)));
-  if (command.spread.empty()) return {};
-  return {command.spread[0], command.spread[1], command.spread[2]};
+  if (!command.ratings.empty()) {
+    std::vector<ScaleSpread> spreads =
+        spreads_of(read_answers(command.ratings, scales_to_choose(manifest)));
+    const ScaleSet asked = questionnaire_scales(manifest);
+    std::erase_if(spreads, [&](const ScaleSpread& one) {
+      return std::ranges::find(asked.scales, one.scale, &Scale::id) == asked.scales.end();
+    });
+    if (!spreads.empty()) return spreads;
+    throw Error({command.ratings}, "has no ratings on the scales of this questionnaire",
+                "give ratings on the scales that are asked, or --spread");
+  }
+  if (command.spread.empty()) return {{"", {}}};
+  return {{"", {command.spread[0], command.spread[1], command.spread[2]}}};
+}
+
+/// The power for one scale; without a name, for ratings in general.
+void print_power_of(const ScaleSpread& scale, PowerOptions question, const Manifest& manifest,
+                    const Console& console, std::ostream& out) {
+  question.spread = scale.spread;
+  const PowerEstimate estimate = estimate_power(manifest, question);
+  out << '\n';
+  if (!scale.scale.empty()) out << scale.scale << ":\n";
+  for (const std::string& sentence : power_sentences(question, estimate)) out << sentence << '\n';
+  if (is_false_positive_rate_inflated(question, estimate))
+    console.err << fmt::format(
+        "warning: {}the false-positive rate of the simulated studies is {:.0f} % instead of {:g} "
+        "%; do not rely on this power estimate\n",
+        scale.scale.empty() ? "" : scale.scale + ": ", 100.0 * estimate.false_positives.share,
+        100.0 * question.alpha);
 }
 
 void print_power(const DesignCommand& command, const Manifest& manifest, const Console& console,
                  std::ostream& out) {
   PowerOptions question = command.question;
   question.seed = manifest.seed;
-  question.spread = spread_of(command, manifest);
   take_between(command.between, question);
-  const PowerEstimate estimate = estimate_power(manifest, question);
-  out << '\n';
-  for (const std::string& sentence : power_sentences(question, estimate)) out << sentence << '\n';
-  if (is_false_positive_rate_inflated(question, estimate))
-    console.err << fmt::format(
-        "warning: the false-positive rate of the simulated studies is {:.0f} % instead of {:g} %; "
-        "do not rely on this power estimate\n",
-        100.0 * estimate.false_positives.share, 100.0 * question.alpha);
+  for (const ScaleSpread& scale : spreads_of(command, manifest))
+    print_power_of(scale, question, manifest, console, out);
 }
 
 std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }

@@ -83,6 +83,10 @@ std::vector<Fault> check_recruitment(const Manifest& manifest);
 /// it has none.
 std::vector<Fault> check_screening(const Manifest& manifest);
 
+/// Checks the factors, groups and planned contrasts of a questionnaire's analysis. No faults if it
+/// has none.
+std::vector<Fault> check_factorial(const Manifest& manifest);
+
 /// Checks the quality rules of a questionnaire's analysis. No faults if it has none.
 std::vector<Fault> check_quality(const Manifest& manifest);
 

@@ -301,6 +301,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));
   append(faults, check_screening(manifest));
+  append(faults, check_factorial(manifest));
   append(faults, check_quality(manifest));
   return faults;
 }

@@ -65,6 +65,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   out.end_paragraph();
   describe_pictures(out);
   out.end_paragraph();
+  describe_factorial_plan(out);
   describe_quality_rules(out);
   out.end_paragraph();
   std::string text = out.text();

@@ -66,6 +66,9 @@ void describe_example_settings(MethodsText& out);
 /// matches, and whether the examples are played beside the task.
 void describe_matching_settings(MethodsText& out);
 
+/// The factors and contrasts by which answers to the questionnaire are analysed, if stated.
+void describe_factorial_plan(MethodsText& out);
+
 /// The quality rules by which answers to the questionnaire are flagged.
 void describe_quality_rules(MethodsText& out);
 

@@ -152,6 +152,12 @@ void describe_matching_settings(MethodsText& out) {
         "The examples were played beside the matching task, one after another, with their names");
 }
 
+void describe_factorial_plan(MethodsText& out) {
+  if (!out.manifest.questionnaire) return;
+  const std::string sentence = factorial_sentence(out.manifest.questionnaire->analysis.factorial);
+  if (!sentence.empty()) out.say(sentence);
+}
+
 void describe_quality_rules(MethodsText& out) {
   if (!out.manifest.questionnaire) return;
   const std::string sentence = quality_sentence(out.manifest.questionnaire->analysis.quality);

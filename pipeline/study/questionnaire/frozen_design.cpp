@@ -78,12 +78,13 @@ constexpr auto scales_columns = table_of<Scale>(
      {"least", "", "value at the low end", [](auto& r) { return r.least; }},
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
-/// The plan as the manifest has it, followed by the quality rules.
+/// The plan as the manifest has it, followed by factors and contrasts, and by the quality rules.
 std::string analysis_plan_text(const AnalysisPlan& analysis) {
-  const std::string rules = quality_plan(analysis.quality);
-  const std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
-  if (rules.empty()) return plan;
-  return plan + (plan.ends_with('\n') ? "\n" : "\n\n") + rules;
+  std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
+  for (const std::string& part :
+       {factorial_plan_text(analysis.factorial), quality_plan(analysis.quality)})
+    if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
+  return plan;
 }
 
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
@@ -100,6 +101,12 @@ std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>
                           {{"alpha", analysis.alpha},
                            {"correction", word_of(correction_words, analysis.correction)},
                            {"most_failed", analysis.max_failed_checks}}}};
+  const FactorialPlan& factorial = analysis.factorial;
+  if (!factorial.factors.empty()) design["analysis"]["factors"] = factorial.factors;
+  if (!factorial.between.empty()) design["analysis"]["between"] = factorial.between;
+  if (!factorial.contrasts.empty())
+    design["analysis"]["contrasts"] = written(factorial.contrasts, {});
+  if (factorial.random_slopes) design["analysis"]["random_slopes"] = true;
   if (!has_no_rules(analysis.quality))
     design["analysis"]["quality"] = written(analysis.quality, {});
   return design.dump(2) + "\n";

@@ -71,9 +71,9 @@ RatingSpread spread_of(const std::vector<CrossedRating>& ratings) {
   return {.participant = deviation(1), .stimulus = deviation(2), .residual = deviation(3)};
 }
 
-RatingSpread spread_of(const Answers& answers) {
+std::vector<ScaleSpread> spreads_of(const Answers& answers) {
   std::map<std::string, int> people, things;
-  std::map<std::string, std::map<std::pair<int, int>, Total>> by_scale;
+  std::vector<std::pair<std::string, std::map<std::pair<int, int>, Total>>> by_scale;
   const auto number = [](std::map<std::string, int>& numbers, const std::string& name) {
     return numbers.emplace(name, static_cast<int>(numbers.size())).first->second;
   };
@@ -81,26 +81,22 @@ RatingSpread spread_of(const Answers& answers) {
     if (answer.participant.empty())
       throw Error("these ratings are means over several participants",
                   "give the answers of each participant");
-    Total& cell = by_scale[answer.scale]
-                          [{number(people, answer.participant), number(things, answer.stimulus)}];
+    auto cells = std::ranges::find(by_scale, answer.scale, [](const auto& of) { return of.first; });
+    if (cells == by_scale.end()) cells = by_scale.insert(cells, {answer.scale, {}});
+    Total& cell =
+        cells->second[{number(people, answer.participant), number(things, answer.stimulus)}];
     cell.sum += answer.value;
     cell.count += 1.0;
   }
   if (by_scale.empty()) refuse();
-  double participant = 0.0, stimulus = 0.0, residual = 0.0;
+  std::vector<ScaleSpread> spreads;
   for (const auto& [scale, cells] : by_scale) {
     std::vector<CrossedRating> ratings;
     for (const auto& [cell, total] : cells)
       ratings.push_back({cell.first, cell.second, total.sum / total.count});
-    const RatingSpread one = spread_of(ratings);
-    participant += one.participant * one.participant;
-    stimulus += one.stimulus * one.stimulus;
-    residual += one.residual * one.residual;
+    spreads.push_back({scale, spread_of(ratings)});
   }
-  const auto scales = static_cast<double>(by_scale.size());
-  return {.participant = std::sqrt(participant / scales),
-          .stimulus = std::sqrt(stimulus / scales),
-          .residual = std::sqrt(residual / scales)};
+  return spreads;
 }
 
 }  // namespace mien::pipeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "pipeline/manifest/ratings/answers/answers.h"
@@ -28,9 +29,15 @@ struct CrossedRating {
 /// confounded.
 RatingSpread spread_of(const std::vector<CrossedRating>& ratings);
 
-/// Estimates variance components over several scales, as the means of the scales' variances.
+/// The variance components of the ratings on one scale.
+struct ScaleSpread {
+  std::string scale;  ///< id
+  RatingSpread spread;
+};
+
+/// Estimates variance components scale by scale, in the order in which the scales first occur.
 /// Repeated ratings of a stimulus by a participant are averaged first. Throws Error also for
 /// answers that are means over participants.
-RatingSpread spread_of(const Answers& answers);
+std::vector<ScaleSpread> spreads_of(const Answers& answers);
 
 }  // namespace mien::pipeline

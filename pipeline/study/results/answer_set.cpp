@@ -50,6 +50,17 @@ std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
   return stimuli;
 }
 
+/// The rows of the design's table for the reported stimuli.
+FactorTable reported_factors(const Manifest& manifest,
+                             const std::vector<ReportedStimulus>& reported) {
+  const FactorTable all = design_table(manifest);
+  FactorTable table{all.factors, {}};
+  for (const ReportedStimulus& stimulus : reported)
+    for (std::size_t i = 0; i < manifest.stimuli.size(); ++i)
+      if (manifest.stimuli[i].id == stimulus.id) table.rows.push_back(all.rows[i]);
+  return table;
+}
+
 /// Validates rows and collects their faults.
 class AnswerCollector {
  public:
@@ -275,6 +286,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.study = manifest.study;
   result.title = title_of(manifest);
   result.stimuli = reported_stimuli(manifest);
+  result.factors = reported_factors(manifest, result.stimuli);
+  result.factorial = asked.analysis.factorial;
   result.scales = questionnaire_scales(manifest).scales;
   result.choices = questionnaire_choices(manifest);
   result.points = asked.answer.slider ? 11 : asked.answer.points;

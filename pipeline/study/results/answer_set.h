@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/manifest/factor_crossing.h"
+#include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
@@ -93,6 +95,9 @@ struct AnswerSet {
   std::string title;
   std::vector<std::string> people;  ///< included participants
   std::vector<ReportedStimulus> stimuli;
+  /// The levels of the design's factors for each of `stimuli` (design_table).
+  FactorTable factors;
+  FactorialPlan factorial;  ///< as stated in the manifest
   std::vector<Scale> scales;
   std::vector<std::pair<std::string, std::string>>
       choices;     ///< choices of emotion trials: id, label

@@ -15,30 +15,6 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Included participants by their answer.
-std::map<std::string, std::vector<std::size_t>> people_by_answer(const CsvTable& table,
-                                                                 std::size_t column,
-                                                                 const AnswerSet& answer_set) {
-  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
-  std::map<std::string, std::set<std::size_t>> groups;
-  std::set<std::size_t> met, doubtful;
-  for (const auto& row : table.rows) {
-    if (row[column].text.empty()) continue;
-    for (std::size_t person = 0; person < answer_set.people.size(); ++person) {
-      // Where people are identified by "participant/session", the participant is before the slash.
-      const std::string& known = answer_set.people[person];
-      if (known != row[name].text && !known.starts_with(row[name].text + "/")) continue;
-      if (!met.insert(person).second) doubtful.insert(person);
-      groups[row[column].text].insert(person);
-    }
-  }
-  std::map<std::string, std::vector<std::size_t>> people;
-  for (const auto& [answer, persons] : groups)
-    for (const std::size_t person : persons)
-      if (!doubtful.contains(person)) people[answer].push_back(person);
-  return people;
-}
-
 std::vector<double> participant_means(const std::map<std::size_t, ExactSum>& sums,
                                       const std::vector<std::size_t>& people) {
   std::vector<double> means;
@@ -66,15 +42,41 @@ GroupComparison group_comparison(const ParticipantGroups& groups, const std::vec
 
 }  // namespace
 
+std::map<std::string, std::vector<std::size_t>> people_by_answer(
+    const ParticipantTable& participants, const std::string& question,
+    const AnswerSet& answer_set) {
+  const CsvTable& table = participants.table;
+  const int found = participants.empty() ? -1 : find_column(table, question);
+  if (found < 0) return {};
+  const auto column = static_cast<std::size_t>(found);
+  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
+  std::map<std::string, std::set<std::size_t>> groups;
+  std::set<std::size_t> met, doubtful;
+  for (const auto& row : table.rows) {
+    if (row[column].text.empty()) continue;
+    for (std::size_t person = 0; person < answer_set.people.size(); ++person) {
+      // Where people are identified by "participant/session", the participant is before the slash.
+      const std::string& known = answer_set.people[person];
+      if (known != row[name].text && !known.starts_with(row[name].text + "/")) continue;
+      if (!met.insert(person).second) doubtful.insert(person);
+      groups[row[column].text].insert(person);
+    }
+  }
+  std::map<std::string, std::vector<std::size_t>> people;
+  for (const auto& [answer, persons] : groups)
+    for (const std::size_t person : persons)
+      if (!doubtful.contains(person)) people[answer].push_back(person);
+  return people;
+}
+
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,
                                                   const AnswerSet& answer_set) {
   std::vector<ParticipantGroups> all;
   if (participants.empty()) return all;
   for (const std::string& question : participants.questions()) {
     if (!answer_set.worded_questions.contains(question)) continue;
-    const auto column = static_cast<std::size_t>(find_column(participants.table, question));
     std::vector<std::pair<std::string, std::vector<std::size_t>>> answers;
-    for (auto& [answer, people] : people_by_answer(participants.table, column, answer_set))
+    for (auto& [answer, people] : people_by_answer(participants, question, answer_set))
       if (people.size() >= 2) answers.emplace_back(answer, people);
     std::ranges::stable_sort(answers, std::ranges::greater{},
                              [](const auto& one) { return one.second.size(); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct ParticipantGroups {
   std::string other;  ///< the second most frequent
   std::vector<std::size_t> people_one, people_other;
 };
+
+/// Included participants by their answer to a question; those for whom the table has answers to the
+/// question in several rows are omitted, even if the answers are equal. Empty if the table has no
+/// such column.
+std::map<std::string, std::vector<std::size_t>> people_by_answer(
+    const ParticipantTable& participants, const std::string& question, const AnswerSet& answer_set);
 
 /// The groups of the two most frequent answers to each demographic question whose answers are not
 /// numbers, if at least two participants gave each answer. Participants for whom the table has

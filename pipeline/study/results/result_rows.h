@@ -102,6 +102,8 @@ inline constexpr SharedColumn adjusted_column = {"p_adjusted", "",
 
 /// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);
+/// Adds the tables of the analysis of variance, its cell means and contrasts.
+void add_factors(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of worths of compared stimuli.
 void add_worths(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of participants, free texts and repeated trials.

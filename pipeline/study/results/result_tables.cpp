@@ -206,6 +206,7 @@ std::vector<WrittenTable> result_tables(const Results& results) {
   std::vector<WrittenTable> tables;
   add_means(results, tables);
   add_comparisons(results, tables);
+  add_factors(results, tables);
   add_confusions(results, tables);
   add_results(correlation_columns, results.correlations, results.answer_set, tables);
   add_results(agreement_columns, results.reliability, results.answer_set, tables);

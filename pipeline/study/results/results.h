@@ -6,6 +6,8 @@
 #include "pipeline/study/results/answer_set.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
+#include "pipeline/study/results/factor_contrasts.h"
+#include "pipeline/study/results/factor_effects.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/pair_worth.h"
@@ -23,6 +25,8 @@ struct Results {
   std::vector<RatingSummary> summaries;
   std::vector<Comparison> comparisons;
   std::vector<OverallComparison> overall;
+  FactorEffects effects;  ///< analysis of variance by the factors of the design
+  std::vector<FactorContrast> contrasts;
   std::vector<Confusion> confusions;
   std::vector<EndCorrelation> correlations;
   std::vector<Reliability> reliability;
@@ -46,6 +50,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.summaries = summaries_of(results.answer_set);
   results.comparisons = compare(results.answer_set);
   results.overall = compare_overall(results.answer_set);
+  results.effects = factor_effects(results.answer_set, demographics);
+  results.contrasts = factor_contrasts(results.answer_set);
   results.confusions = confusions_of(results.answer_set);
   results.correlations = end_correlations(results.answer_set);
   results.reliability = reliability_of(results.answer_set);

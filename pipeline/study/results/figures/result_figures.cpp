@@ -313,6 +313,7 @@ std::vector<ResultFigure> result_figures(const Results& results) {
   std::vector<ResultFigure> figures;
   add_rating_figures(results, figures);
   add_difference_figures(results, figures);
+  add_factor_figures(results, figures);
   add_confusion_figures(results, figures);
   add_correlation_figure(results, figures);
   add_pair_figures(results, figures);

@@ -42,6 +42,10 @@ std::vector<StimulusGroup> stimulus_groups(const AnswerSet& answer_set);
 /// over all settings, then by video; and between levels of other factors.
 void add_difference_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds a figure for each scale: the means of the cells of the design with intervals within
+/// participants.
+void add_factor_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures for each question about pairs: the share of choices of the first stimulus with
 /// Wilson's interval, and a line at one half. More than eight pairs are divided among several
 /// figures.

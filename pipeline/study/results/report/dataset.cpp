@@ -218,7 +218,7 @@ std::string readme_of(const Results& results) {
          "- figures/: figures as PDF, SVG and PNG\n" +
          (results.answer_set.ratings.empty()
               ? std::string()
-              : "- analysis/: R scripts that fit mixed models (lme4, ordinal) to " + paths.answers +
+              : "- analysis/: R scripts (lme4, ordinal, afex) that analyse " + paths.answers +
                     "\n");
 }
 

@@ -34,18 +34,13 @@ DatasetPaths dataset_paths(const std::string& study);
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
 
-/// R scripts that read the exported data and fit models that mien does not implement. They are run
-/// in their own folder, which is next to data/.
-struct RScripts {
-  std::string mixed;  ///< a linear mixed model for each scale, by lme4
-  /// A cumulative link mixed model for each scale with at least three different answers, by
-  /// ordinal.
-  std::string ordinal;
-};
-
-/// The R scripts. `answers` and `stimuli` are the paths of the data, relative to the dataset's
-/// folder.
-RScripts r_scripts(const AnswerSet& answer_set, const std::string& answers,
-                   const std::string& stimuli);
+/// R scripts that read the exported data and are run in their own folder, analysis/, which is next
+/// to data/. All have the factors of the report's analysis of variance with their interactions and
+/// the planned contrasts; without such an analysis, the factors made, emotion and setting.
+///
+/// - lme4.R: a linear mixed model of each scale, with random participants and stimuli
+/// - ordinal.R: a cumulative link mixed model of each scale with at least three different answers
+/// - afex.R: the report's analysis of variance, by another program; only if the report has one
+std::vector<DatasetFile> r_scripts(const Results& results);
 
 }  // namespace mien::pipeline

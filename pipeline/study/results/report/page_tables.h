@@ -30,6 +30,10 @@ std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);
 std::string remarks_html(const std::vector<Remark>& remarks);
 
+/// The section of the analysis by the factors of the design: method, tables and `figures`. Empty
+/// without factors.
+std::string factor_section_html(const Results& results, const std::string& figures);
+
 /// The section of the worths of compared stimuli: what they mean, `figures`, and the tables. Empty
 /// without comparisons.
 std::string worth_section_html(const Results& results, const std::string& figures);

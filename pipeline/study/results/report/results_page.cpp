@@ -322,7 +322,8 @@ std::string words_html(const Results& results, const PageParts& parts) {
          "</details>\n";
 }
 
-std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts) {
+std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts,
+                       bool has_variance) {
   std::string html = "<ul>\n";
   for (const WrittenTable& table : tables)
     html += fmt::format("<li><a href=\"{0}\">{0}</a>: one row per {1}</li>\n", table.form.path,
@@ -335,6 +336,9 @@ std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts
     html +=
         "<li><a href=\"analysis/lme4.R\">analysis/lme4.R</a>, <a "
         "href=\"analysis/ordinal.R\">analysis/ordinal.R</a>: mixed models in R</li>\n";
+  if (has_variance)
+    html +=
+        "<li><a href=\"analysis/afex.R\">analysis/afex.R</a>: the analysis of variance in R</li>\n";
   html +=
       "<li><a href=\"figures.csv\">figures.csv</a>: list of figures, with the corresponding "
       "figures of the emotion thesis and former file names</li>\n</ul>\n";
@@ -353,6 +357,8 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("best", "Highest-rated videos", best_html(results, parts));
   parts.section("differences", "Modified, acted and neutral motions",
                 differences_html(results, parts));
+  parts.section("factors", "Factors of the design",
+                factor_section_html(results, parts.figures("factors")));
   parts.section("levels", "Actors and other factors", levels_html(results, parts));
   parts.section("groups", "Groups of participants", groups_part(results, parts));
   parts.section("confusion", "Confusion", confusion_html(results, parts));
@@ -364,7 +370,9 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
                 worth_section_html(results, parts.figures("worth")));
   parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));
-  parts.section("files", "Files", files_html(tables, !results.answer_set.ratings.empty()));
+  parts.section(
+      "files", "Files",
+      files_html(tables, !results.answer_set.ratings.empty(), !results.effects.crossing.empty()));
   const std::string mark = results.answer_set.simulated ? "Simulated: " : "";
   return html_page(
       mark + results.answer_set.title, results_style,

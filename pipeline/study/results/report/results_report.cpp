@@ -98,12 +98,9 @@ void write_results(const Results& results, const std::vector<AnswerRow>& rows,
   for (const ResultFigure& figure : figures)
     write_plot(figure.plot, folder / "figures", figure.name);
   write_below(folder, "figures.csv", figure_list(figures, results));
-  if (!results.answer_set.ratings.empty()) {
-    const DatasetPaths paths = dataset_paths(results.answer_set.study);
-    const RScripts scripts = r_scripts(results.answer_set, paths.answers, paths.stimuli);
-    write_below(folder, "analysis/lme4.R", scripts.mixed);
-    write_below(folder, "analysis/ordinal.R", scripts.ordinal);
-  }
+  if (!results.answer_set.ratings.empty())
+    for (const DatasetFile& script : r_scripts(results))
+      write_below(folder, script.path, script.bytes);
   write_below(folder, "report.html", results_page(results, figures, tables, frozen));
 }
 

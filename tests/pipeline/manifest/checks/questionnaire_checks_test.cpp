@@ -124,6 +124,45 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "questionnaire.analysis.quality.repeated_by", "does not keep the URL parameter"},
       {"participants: 4, scales: all, analysis: {quality: {min_rt_ms: 500, max_rt_ms: 500}}",
        "questionnaire.analysis.quality.min_rt_ms", "is not below max_rt_ms"},
+      {"participants: 4, scales: all, analysis: {factors: [actr]}",
+       "questionnaire.analysis.factors[0]", "did you mean \"actor\""},
+      {"participants: 4, scales: all, analysis: {factors: [actor, actor]}",
+       "questionnaire.analysis.factors[1]", "appears twice"},
+      {"participants: 4, scales: all, stimuli: {emotion: [sad]}, analysis: {factors: [emotion]}",
+       "questionnaire.analysis.factors[0]", "do not differ in \"emotion\""},
+      {"participants: 4, scales: all, trials: pair, analysis: {factors: [actor]}",
+       "questionnaire.analysis.factors", "ratings of single stimuli"},
+      {"participants: 4, scales: all, analysis: {between: gender}",
+       "questionnaire.analysis.between", "there is no question \"gender\""},
+      {"participants: 4, scales: all, demographics: [{id: age, ask: x, answer: number}], analysis: "
+       "{between: age}",
+       "questionnaire.analysis.between", "no choices that could form groups"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {actor: {a: 1, b: "
+       "-0.5}}}]}",
+       "m.yaml:5:97: questionnaire.analysis.contrasts[0].weights.actor",
+       "the weights have a sum of 0.5; use weights with a sum of 0, such as {a: 1, b: -1}"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {actor: {a: 1, z: "
+       "-1}}}]}",
+       "questionnaire.analysis.contrasts[0].weights.actor.z", "no rated stimulus has the level"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {mood: {a: 1, b: "
+       "-1}}}]}",
+       "questionnaire.analysis.contrasts[0].weights.mood", "unknown factor \"mood\""},
+      {"participants: 4, scales: all, analysis: {factors: [actor], contrasts: [{name: c, weights: "
+       "{emotion: {sad: 1, happy: -1}}}]}",
+       "questionnaire.analysis.contrasts[0].weights.emotion", "add it to analysis: factors"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {actor: {a: 1, b: "
+       "-1}}}, {name: c, weights: {actor: {a: 1, c: -1}}}]}",
+       "questionnaire.analysis.contrasts[1].name", "is the name of another contrast"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {actor: {a: 1, b: "
+       "-1}}, at: {actor: c}}]}",
+       "questionnaire.analysis.contrasts[0].at.actor", "one of the factors that are compared"},
+      {"participants: 4, scales: all, analysis: {contrasts: [{name: c, weights: {actor: {a: 1, c: "
+       "-1}}, at: {emotion: happy}}]}",
+       "questionnaire.analysis.contrasts[0].weights", "no combination of levels"},
+      {"participants: 4, scales: [sad-happy], analysis: {contrasts: [{name: c, weights: {actor: "
+       "{a: "
+       "1, b: -1}}, scales: [sad-hapy]}]}",
+       "questionnaire.analysis.contrasts[0].scales[0]", "did you mean \"sad-happy\""},
       {"participants: 4, scales: all, recruitment: {prolific: {completd: C1}}",
        "questionnaire.recruitment.prolific", "did you mean \"completed\""},
       {"participants: 4, scales: all, recruitment: {prolific: {completed: C 1}}",

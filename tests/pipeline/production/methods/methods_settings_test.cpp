@@ -151,6 +151,11 @@ TEST_F(MethodsSettings, StateTheQualityRulesOfAQuestionnaire) {
                 "\nBy rules stated before data collection, answers with a response time below "
                 "250 ms were flagged; flagged answers, and all answers of flagged "
                 "participants, were left out of the analysis.\n");
+  EXPECT_EQ(told(", analysis: {random_slopes: true}"),
+            usual +
+                "\nRatings on each scale were planned to be analysed by a repeated-measures "
+                "analysis of variance with all factors of the stimuli within participants, with p "
+                "values corrected by Greenhouse and Geisser's method.\n");
 }
 
 TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {

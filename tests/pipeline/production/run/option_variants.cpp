@@ -77,6 +77,8 @@ constexpr char with_questions[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}})";
 constexpr char with_questions_and_factors[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
+constexpr char with_crossed_factors[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "demographics": [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}, {"id": "hand", "ask": "Which?", "answer": ["l", "r"]}]}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
 constexpr char with_questions_and_glb[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
@@ -132,6 +134,12 @@ const Surroundings surroundings[] = {
     {"questionnaire.analysis.quality.repeated_by",
      R"({"questionnaire": {"participants": 4, "scales": "all", "recruitment": {"url_parameters": ["a", "b"]}}, "output": {"video": ["mp4"]}})",
      "{}"},
+    {"questionnaire.analysis.contrasts[].weights", with_crossed_factors, R"({"name": "c"})"},
+    {"questionnaire.analysis.contrasts[].", with_crossed_factors,
+     R"({"name": "c", "weights": {"actor": {"k": 1, "m": -1}}})"},
+    {"questionnaire.analysis.contrasts", with_crossed_factors, "{}"},
+    {"questionnaire.analysis.factors", with_crossed_factors, "{}"},
+    {"questionnaire.analysis.between", with_crossed_factors, "{}"},
     {"questionnaire.screening.questions[].accept.", with_screening, "{}"},
     {"questionnaire.screening.questions[].accept", with_screening,
      R"({"answer": ["f", "m", "x"]})"},
@@ -478,6 +486,15 @@ const Values chosen_values[] = {
     {"questionnaire.pace.words_per_minute", "[100, 200]"},
     {"questionnaire.analysis", R"([{"alpha": 0.01}, {"alpha": 0.05}])"},
     {"questionnaire.analysis.alpha", "[0.01, 0.05]"},
+    {"questionnaire.analysis.factors", R"([["actor"], ["actor", "mood"]])"},
+    {"questionnaire.analysis.between", R"(["sex", "hand"])"},
+    {"questionnaire.analysis.contrasts",
+     R"([[{"name": "c", "weights": {"actor": {"k": 1, "m": -1}}}], [{"name": "c", "weights": {"mood": {"x": 1, "y": -1}}}]])"},
+    {"questionnaire.analysis.contrasts[].name", R"(["c", "d"])"},
+    {"questionnaire.analysis.contrasts[].weights",
+     R"([{"actor": {"k": 1, "m": -1}}, {"actor": {"k": 1, "m": -1}, "mood": {"x": 1, "y": -1}}])"},
+    {"questionnaire.analysis.contrasts[].at", R"([{"mood": "x"}, {"mood": "y"}])"},
+    {"questionnaire.analysis.contrasts[].scales", R"([["weak-strong"], ["slow-fast"]])"},
     {"stimuli[].hold", R"(["others", {"largeness": 0.6}])"},
     {"stimuli[].foil.of", R"(["b", "c"])"},
     {"stimuli[].foil.differ", R"(["posture", "path-length"])"},

@@ -127,6 +127,26 @@ TEST_F(FrozenDesign, StatesTheQualityRulesAndWhereTheyDiffer) {
   EXPECT_TRUE(holds(differences(looser, made_), "\"max_longstring\":12"));
 }
 
+TEST_F(FrozenDesign, StatesFactorsAndContrastsAndWhereTheyDiffer) {
+  const ZipFiles before = files();
+  EXPECT_FALSE(holds(before.at("design.json"), "contrasts"));
+  FactorialPlan& plan = manifest_.questionnaire->analysis.factorial;
+  plan.factors = {"actor"};
+  plan.contrasts = {{"first", {{"actor", {{"a", 1.0}, {"b", -1.0}}}}, {}, {}}};
+  const ZipFiles after = files();
+  EXPECT_TRUE(after.at("analysis-plan.txt")
+                  .starts_with("two t tests\n\nAnalysis of variance of each scale by the factor "
+                               "actor within participants"));
+  EXPECT_TRUE(holds(after.at("analysis-plan.txt"), "- “first” (a − b)\n"));
+  EXPECT_EQ(before.at("plans.csv"), after.at("plans.csv"));
+  write_file(bundle_, zip_of(after));
+  EXPECT_EQ(differences(manifest_, made_), "");
+  Manifest other = manifest_;
+  other.questionnaire->analysis.factorial.contrasts[0].weights[0].second[1].first = "c";
+  EXPECT_TRUE(holds(differences(other, made_), "analysis: the plan differs"));
+  EXPECT_TRUE(holds(differences(other, made_), "\"weights\":{\"actor\":{\"a\":1.0,\"c\":-1.0}}"));
+}
+
 TEST_F(FrozenDesign, NeedsTheStudyToBeMade) {
   fs::remove(made_ / "videos/c3.mp4");
   EXPECT_THROW(files(), Error);

@@ -34,9 +34,16 @@ TEST(RatingSpread, IsFoundAgainWhereEachRatesAPart) {
       const double rest = normal(3, "rest/" + std::to_string(person) + "/" + name);
       answers.answers.push_back({std::to_string(person), name, "sad-happy",
                                  lean + 0.5 * normal(3, "thing/" + name) + rest});
+      answers.answers.push_back({std::to_string(person), name, "weak-strong", 0.4 * rest});
     }
   }
-  const RatingSpread spread = spread_of(answers);
+  const std::vector<ScaleSpread> spreads = spreads_of(answers);
+  ASSERT_EQ(spreads.size(), 2u);
+  EXPECT_EQ(spreads[0].scale, "sad-happy");
+  EXPECT_EQ(spreads[1].scale, "weak-strong");
+  EXPECT_NEAR(spreads[1].spread.residual, 0.4, 0.012);
+  EXPECT_LT(spreads[1].spread.participant, 0.05);
+  const RatingSpread& spread = spreads[0].spread;
   EXPECT_NEAR(spread.participant, 0.6, 0.08);
   EXPECT_NEAR(spread.stimulus, 0.5, 0.15);
   EXPECT_NEAR(spread.residual, 1.0, 0.03);
@@ -45,7 +52,8 @@ TEST(RatingSpread, IsFoundAgainWhereEachRatesAPart) {
 TEST(RatingSpread, IsRefusedWhereNobodyCouldTell) {
   EXPECT_THROW(spread_of(std::vector<CrossedRating>{{0, 0, 1.0}, {0, 1, 2.0}}), Error);
   EXPECT_THROW(spread_of(std::vector<CrossedRating>{{0, 0, 1.0}, {1, 1, 2.0}}), Error);
-  EXPECT_THROW(spread_of(Answers{{{"", "a", "sad-happy", 1.0}}}), Error);
+  EXPECT_THROW(spreads_of(Answers{{{"", "a", "sad-happy", 1.0}}}), Error);
+  EXPECT_THROW(spreads_of(Answers{}), Error);
 }
 
 }  // namespace

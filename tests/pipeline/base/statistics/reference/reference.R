@@ -1,5 +1,5 @@
 # Reference values of the statistics, made once with R 4.2.2 (Debian 12: r-base-core, r-cran-psych,
-# r-cran-coin):
+# r-cran-coin, r-cran-afex 1.2-1, r-cran-emmeans 1.8.4-1):
 #
 #     Rscript reference.R
 #
@@ -167,6 +167,105 @@ icc_of_a_part <- function(name, m) {
 part <- matrix(round(rep(rnorm(10), 14) + rep(rnorm(14, 0, 0.5), each = 10) + rnorm(140)), 10, 14)
 part[cbind(rep(1:10, 5), sample(14, 50, TRUE))] <- NA
 icc_of_a_part("part", part)
+
+# --- Analysis of variance ---------------------------------------------------------------------------
+
+root_of <- function(f, from, to) uniroot(f, c(from, to), tol = 1e-13)$root
+partial_eta_interval <- function(f, df1, df2, level = 0.9) {
+  lambda <- function(below) {
+    if (pf(f, df1, df2) <= below) return(0)
+    root_of(function(l) pf(f, df1, df2, ncp = l) - below, 0, 100 + 10 * df1 * f)
+  }
+  l <- c(lambda((1 + level) / 2), lambda((1 - level) / 2))
+  l / (l + df1 + df2 + 1)
+}
+dz_interval <- function(t, n, level = 0.95) {
+  delta <- function(below) root_of(function(d) pt(t, n - 1, ncp = d) - below, t - 15, t + 15)
+  c(delta((1 + level) / 2), delta((1 - level) / 2)) / sqrt(n)
+}
+
+# `m`: a row for each participant, a column for each cell, the last factor varying fastest. By afex,
+# which takes type III sums of squares and Greenhouse and Geisser's epsilon from car.
+anova_expectations <- function(name, m, levels, group = NULL) {
+  sample_of(name, as.vector(t(m)))
+  sample_of(paste0(name, "/levels"), levels)
+  sample_of(paste0(name, "/groups"), if (is.null(group)) rep(0, nrow(m)) else group)
+  factors <- LETTERS[seq_along(levels)]
+  cells <- expand.grid(lapply(rev(levels), seq_len))[rev(seq_along(levels))]
+  names(cells) <- factors
+  d <- do.call(rbind, lapply(seq_len(nrow(m)), function(i) cbind(cells, id = i, y = m[i, ])))
+  d$id <- factor(d$id)
+  for (f in factors) d[[f]] <- factor(d[[f]])
+  if (!is.null(group)) d$G <- factor(group[as.integer(d$id)])
+  fit <- function(es, ...) suppressMessages(afex::aov_ez(
+    "id", "y", d, within = factors, between = if (is.null(group)) NULL else "G",
+    observed = if (is.null(group)) NULL else "G", anova_table = list(es = es, ...)))
+  ges <- fit("ges", correction = "none")
+  raw <- ges$anova_table
+  corrected <- fit("pes", correction = "GG")$anova_table
+  univariate <- suppressWarnings(summary(ges$Anova)$univariate.tests)
+  expect(name, rows = nrow(m), columns = ncol(m))
+  for (effect in rownames(raw)) {
+    epsilon <- corrected[effect, "num Df"] / raw[effect, "num Df"]
+    interval <- partial_eta_interval(raw[effect, "F"], corrected[effect, "num Df"],
+                                     corrected[effect, "den Df"])
+    expect(paste(name, effect, sep = "/"), f = raw[effect, "F"], degrees = raw[effect, "num Df"],
+           error_degrees = raw[effect, "den Df"], p = raw[effect, "Pr(>F)"], epsilon = epsilon,
+           p_corrected = corrected[effect, "Pr(>F)"], partial_eta = corrected[effect, "pes"],
+           generalized_eta = raw[effect, "ges"], low = interval[1], high = interval[2],
+           squares = unname(univariate[effect, "Sum Sq"]),
+           error_squares = unname(univariate[effect, "Error SS"]))
+  }
+  if (!is.null(group)) return(invisible())
+  # Base R: the same F by error strata.
+  formula <- reformulate(c(paste(factors, collapse = "*"),
+                           sprintf("Error(id/(%s))", paste(factors, collapse = "*"))), "y")
+  for (stratum in summary(aov(formula, d))) {
+    table <- stratum[[1]]
+    for (effect in setdiff(trimws(rownames(table)), "Residuals")) {
+      row <- match(effect, trimws(rownames(table)))
+      expect(paste(name, effect, sep = "/"), f = table[row, "F value"], p = table[row, "Pr(>F)"])
+    }
+  }
+  # Cousineau and Morey, step by step.
+  normed <- m - rowMeans(m) + mean(m)
+  k <- ncol(m); n <- nrow(m)
+  margins <- qt(0.975, n - 1) * sqrt(apply(normed, 2, var) * k / (k - 1)) / sqrt(n)
+  expect(paste0(name, "/margins"), setNames(margins, seq_len(k)))
+  # A contrast of levels of the first factor, by the multivariate model.
+  weights <- if (levels[1] == 2) c(1, -1) else c(1, -0.5, -0.5, rep(0, levels[1] - 3))
+  means <- emmeans::emmeans(ges, "A", model = "multivariate")
+  found <- as.data.frame(emmeans::contrast(means, list(first = weights)))
+  interval <- dz_interval(found$t.ratio, n)
+  expect(paste0(name, "/contrast"), estimate = found$estimate, t = found$t.ratio,
+         degrees = found$df, p = found$p.value, dz = found$t.ratio / sqrt(n), dz_low = interval[1],
+         dz_high = interval[2])
+}
+
+anova_cells <- function(people, levels, deviations, effects, step = 0) {
+  count <- prod(levels)
+  m <- matrix(rnorm(people * count), people) %*% diag(rep_len(deviations, count)) +
+    rnorm(people, 0, 0.8) + rep(rep_len(effects, count), each = people) +
+    outer(rnorm(people, 0, 0.7), rep_len(c(1, -0.5, 0, 0.3, -0.8), count))
+  if (step > 0) step * round(m / step) else m
+}
+anova_expectations("anova-3", anova_cells(12, 3, c(0.5, 1, 2), c(0, 0.4, 1)), 3)
+anova_expectations("anova-2-3", anova_cells(15, c(2, 3), c(0.4, 0.9, 1.6), c(0, 0.5, 0.9, 0.2), 0.5),
+                   c(2, 3))
+anova_expectations("anova-3-2-4", anova_cells(14, c(3, 2, 4), c(0.3, 1.2, 0.7, 2, 0.5),
+                                              c(0, 0.6, -0.2, 0.1, 0.3)), c(3, 2, 4))
+anova_expectations("anova-2-2-2-2", anova_cells(9, c(2, 2, 2, 2), c(0.5, 1.5, 0.8),
+                                                c(0, 1, 0.2)), c(2, 2, 2, 2))
+anova_expectations("anova-groups", anova_cells(21, c(2, 3), c(0.5, 1.4, 0.8), c(0, 0.3, 0.8)) +
+                     rep(c(0, 0.4, 1), c(7, 9, 5)), c(2, 3), rep(0:2, c(7, 9, 5)))
+anova_expectations("anova-two-groups", anova_cells(19, 4, c(0.5, 1.4, 0.8, 1), c(0, 0.3, 0.8)) +
+                     rep(c(0, 0.7), c(6, 13)) %o% c(1, 0, 0.5, 2), 4, rep(0:1, c(6, 13)))
+
+for (k in list(c(0.2, 2, 30), c(1.7, 1.4, 22.6), c(4, 3, 57), c(60, 1, 19), c(250, 6, 120)))
+  expect(paste("partial eta", k[1], k[2], k[3]), setNames(partial_eta_interval(k[1], k[2], k[3]),
+                                                          c("low", "high")))
+for (k in list(c(0, 10), c(2.1, 24), c(-3.7, 8), c(11, 40)))
+  expect(paste("dz", k[1], k[2]), setNames(dz_interval(k[1], k[2]), c("low", "high")))
 
 # --- Written --------------------------------------------------------------------------------------
 

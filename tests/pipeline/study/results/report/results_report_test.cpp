@@ -109,6 +109,11 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
                            "figures/correlations.svg",
                            "analysis/lme4.R",
                            "analysis/ordinal.R",
+                           "analysis/afex.R",
+                           "results/anova.csv",
+                           "results/cell_means.csv",
+                           "results/contrasts.csv",
+                           "figures/cell-means-sad-happy.svg",
                            "codebook.csv",
                            "dataset_description.json",
                            "README.md"})
