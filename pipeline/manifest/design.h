@@ -45,10 +45,12 @@ inline constexpr StimulusProperty stimulus_properties[] = {
     {"picture_size", "size of the picture", "", false},
     {"frame_rate", "frames per second", "", false},
     {"in_place", "walking in place", "", false},
+    {"sound", "sound", "", false},
     {"figure_height", "height of the figure", "pixels", true},
     {"duration", "duration", "s", true},
     {"speed", "speed over the floor", "m/s", true},
     {"distance", "distance walked in the film", "m", true},
-    {"luminance", "mean luminance", "0–1", true}};
+    {"luminance", "mean luminance", "0–1", true},
+    {"loudness", "loudness", "LUFS", true}};
 
 }  // namespace mien::pipeline

@@ -75,6 +75,7 @@ PropertyValues stated_properties(const Stimulus& stimulus, Motions& motions) {
   at(values, "camera").text = camera(stimulus.look);
   at(values, "picture_size").text = fmt::format("{} × {}", width, height);
   at(values, "frame_rate").text = shortest(stimulus.output.fps);
+  at(values, "sound").text = stimulus.sound ? "with" : "without";
   at(values, "in_place").text = stimulus.output.in_place ? "yes" : "no";
   at(values, "speed").number = speed_of(motions.of(stimulus.id).motion.clip);
   return values;
@@ -116,6 +117,8 @@ std::vector<PropertyValues> filmed_properties(const Manifest& manifest, Motions&
     set_duration(values, stimulus, film.film_frames / stimulus.output.fps);
     at(values, "figure_height").number = film.figure_px;
     at(values, "luminance").number = film.luminance.mean;
+    if (film.sound && film.sound->loudness_lufs)
+      at(values, "loudness").number = *film.sound->loudness_lufs;
     return values;
   });
 }

@@ -22,7 +22,7 @@ struct PropertyValue {
 using PropertyValues = std::array<PropertyValue, std::size(stimulus_properties)>;
 
 /// Returns the properties of all stimuli as far as they are known before films are rendered: not
-/// the luminance, nor duration and height of the figure if they are equalized. Makes and stages the
+/// luminance and loudness, nor duration and height of the figure if they are equalized. Makes and stages the
 /// motions. Throws Error.
 std::vector<PropertyValues> planned_properties(const Manifest& manifest, Motions& motions);
 
