@@ -68,10 +68,6 @@ std::vector<Fault> check_sounds(const Manifest& manifest) {
       list.add(gain, "the loudness of all sounds is equalized",
                "omit it, or omit equalize: loudness");
   }
-  const bool has_sound = std::ranges::any_of(
-      manifest.stimuli, [](const Stimulus& stimulus) { return stimulus.audio.has_value(); });
-  if (manifest.equalize.loudness && !has_sound)
-    list.add("equalize", "no stimulus has a sound", "omit loudness, or give stimuli audio");
   return list.take();
 }
 
