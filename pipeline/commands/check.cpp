@@ -15,7 +15,7 @@
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/run/rehearsal.h"
 #include "pipeline/production/synthesis/parameter_request.h"
 

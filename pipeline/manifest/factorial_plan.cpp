@@ -58,16 +58,13 @@ std::vector<std::string> design_factors(const Manifest& manifest) {
   const FactorialPlan& plan = questionnaire_of(manifest).analysis.factorial;
   if (!plan.factors.empty()) return plan.factors;
   const std::vector<std::string> rated = questionnaire_stimuli(manifest);
-  std::set<std::string> stated = {"emotion"};
-  for (const Stimulus& stimulus : manifest.stimuli)
-    for (const auto& [factor, level] : stimulus.factors) stated.insert(factor);
   std::vector<std::string> varied;
-  for (const std::string& factor : factors_of(manifest)) {
+  for (const std::string& factor : studied_factors(manifest)) {
     std::set<std::string> levels;
     for (const Stimulus& stimulus : manifest.stimuli)
       if (is_rated(rated, stimulus)) levels.insert(level_of(stimulus, factor));
     levels.erase("");
-    if (levels.size() > 1 && stated.contains(factor)) varied.push_back(factor);
+    if (levels.size() > 1) varied.push_back(factor);
   }
   return varied;
 }

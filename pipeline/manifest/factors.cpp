@@ -79,6 +79,19 @@ std::vector<std::string> factors_of(const Manifest& manifest) {
   return names;
 }
 
+bool is_stated(const Manifest& manifest, const std::string& factor) {
+  return std::ranges::any_of(manifest.stimuli,
+                             [&](const Stimulus& one) { return has(one.factors, factor); });
+}
+
+std::vector<std::string> studied_factors(const Manifest& manifest) {
+  std::vector<std::string> names = factors_of(manifest);
+  std::erase_if(names, [&](const std::string& name) {
+    return name != "emotion" && name != "audio" && !is_stated(manifest, name);
+  });
+  return names;
+}
+
 std::string level_of(const Stimulus& stimulus, const std::string& factor) {
   for (const auto& [name, level] : levels_of(stimulus)) {
     if (name == factor) return level;

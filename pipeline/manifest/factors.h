@@ -32,6 +32,13 @@ Factors levels_of(const Stimulus& stimulus);
 /// derived ones.
 std::vector<std::string> factors_of(const Manifest& manifest);
 
+/// Whether any stimulus states the factor.
+bool is_stated(const Manifest& manifest, const std::string& factor);
+
+/// Returns the factors that a design is checked and analysed by: those that any stimulus states,
+/// and `emotion` and `audio`. Other derived factors describe single motions.
+std::vector<std::string> studied_factors(const Manifest& manifest);
+
 /// Returns the level of one factor; empty if the stimulus has none.
 std::string level_of(const Stimulus& stimulus, const std::string& factor);
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/production/design/design_factors.h"
+#include "pipeline/production/design/design_warning.h"
 
 namespace mien::pipeline {
 
@@ -40,7 +40,7 @@ class LevelComparison {
       : manifest_(manifest),
         motions_(motions),
         factor_(factor),
-        factors_(design_factors(manifest)) {
+        factors_(studied_factors(manifest)) {
     for (const Stimulus& stimulus : manifest.stimuli) {
       const std::string level = level_of(stimulus, factor);
       if (level.empty()) continue;
@@ -129,7 +129,7 @@ const TableForm close_levels_form = close_levels_columns.form();
 std::vector<FactorLevels> close_levels(const Manifest& manifest, Motions& motions) {
   std::vector<FactorLevels> all;
   const std::vector<std::string>& alike = manifest.design.alike;
-  for (const std::string& factor : design_factors(manifest)) {
+  for (const std::string& factor : studied_factors(manifest)) {
     if (std::ranges::find(alike, factor) != alike.end()) continue;
     FactorLevels found = LevelComparison(manifest, motions, factor).close();
     if (!found.close.empty()) all.push_back(std::move(found));

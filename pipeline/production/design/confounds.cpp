@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/csv.h"
-#include "pipeline/production/design/design_factors.h"
+#include "pipeline/production/design/design_warning.h"
 
 namespace mien::pipeline {
 
@@ -222,7 +222,7 @@ const TableForm confounds_form = confounds_columns.form();
 std::vector<FactorProperty> factor_properties(const Manifest& manifest,
                                               const std::vector<PropertyValues>& values) {
   std::vector<FactorProperty> all;
-  for (const std::string& factor : design_factors(manifest)) {
+  for (const std::string& factor : studied_factors(manifest)) {
     const StimuliByLevel levels = stimuli_by_level(manifest, factor);
     if (levels.size() < 2) continue;
     for (std::size_t which = 0; which < std::size(stimulus_properties); ++which) {
@@ -253,7 +253,7 @@ std::vector<DesignWarning> confound_warnings(const Manifest& manifest,
              "{{{}: [{}]}}}}",
              relation.factor, relation.property->id)});
   }
-  std::vector<std::string> factors = design_factors(manifest);
+  std::vector<std::string> factors = studied_factors(manifest);
   std::erase_if(factors, [&](const std::string& one) { return !is_stated(manifest, one); });
   for (std::size_t i = 0; i < factors.size(); ++i) {
     const StimuliByLevel levels = stimuli_by_level(manifest, factors[i]);

@@ -5,7 +5,7 @@
 
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/production/design/design_factors.h"
+#include "pipeline/production/design/design_warning.h"
 #include "pipeline/production/design/property_values.h"
 
 namespace mien::pipeline {
@@ -39,8 +39,8 @@ struct FactorProperty {
   std::vector<LevelProperty> levels;
 };
 
-/// Returns the relation of every known property to every factor that the stimuli state, and to
-/// `emotion`, each with two levels or more. A number follows a factor only if a level has several
+/// Returns the relation of every known property to every factor (studied_factors) with two levels
+/// or more. A number follows a factor only if a level has several
 /// stimuli, because a single motion always differs from others in speed and duration.
 std::vector<FactorProperty> factor_properties(const Manifest& manifest,
                                               const std::vector<PropertyValues>& values);

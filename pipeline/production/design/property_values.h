@@ -22,8 +22,8 @@ struct PropertyValue {
 using PropertyValues = std::array<PropertyValue, std::size(stimulus_properties)>;
 
 /// Returns the properties of all stimuli as far as they are known before films are rendered: not
-/// luminance and loudness, nor duration and height of the figure if they are equalized. Makes and stages the
-/// motions. Throws Error.
+/// luminance and loudness, nor duration and height of the figure if they are equalized. Makes and
+/// stages the motions. Throws Error.
 std::vector<PropertyValues> planned_properties(const Manifest& manifest, Motions& motions);
 
 /// Returns the properties of all stimuli, from the records of the films in the study's folder.

@@ -8,7 +8,7 @@
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/design_section.h"
 #include "pipeline/production/report/recordings_section.h"

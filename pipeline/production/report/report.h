@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/methods/methods.h"
 #include "pipeline/production/report/report_parts.h"
 #include "pipeline/production/synthesis/motions.h"

@@ -12,7 +12,7 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/repetitions.h"
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"

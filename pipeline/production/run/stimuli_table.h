@@ -5,7 +5,7 @@
 
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/manifest.h"
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {

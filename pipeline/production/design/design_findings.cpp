@@ -1,4 +1,4 @@
-#include "pipeline/production/design/design_warnings.h"
+#include "pipeline/production/design/design_findings.h"
 
 #include <utility>
 
@@ -7,14 +7,14 @@
 namespace mien::pipeline {
 
 DesignFindings planned_design(const Manifest& manifest, Motions& motions) {
-  if (design_factors(manifest).empty()) return {};
+  if (studied_factors(manifest).empty()) return {};
   return {factor_properties(manifest, planned_properties(manifest, motions)),
           close_levels(manifest, motions)};
 }
 
 DesignFindings filmed_design(const Manifest& manifest, Motions& motions,
                              const std::filesystem::path& folder) {
-  if (design_factors(manifest).empty()) return {};
+  if (studied_factors(manifest).empty()) return {};
   return {factor_properties(manifest, filmed_properties(manifest, motions, folder)),
           close_levels(manifest, motions)};
 }
