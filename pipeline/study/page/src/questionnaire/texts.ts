@@ -78,7 +78,7 @@ const english = {
   screening: "Before we begin",
   screenedOut: "Thank you for your interest. Unfortunately, you cannot take part in this study.",
   testSound: "Can you hear the sound?",
-  testSoundHow: "The videos have sound. Switch your loudspeakers or headphones on, play the tones, and count them. You may play them again.",
+  testSoundHow: "The videos have sound. Turn on your loudspeakers or headphones, play the tones, and count them. You may play them again.",
   playTones: "Play the tones",
   tonesPlaying: "Tones are being played …",
   noTones: "This browser could not play the tones.",
