@@ -299,8 +299,8 @@ TEST_F(Sounds, AreNotHeardTwoAtATime) {
       "heard at the same time; name a reference without audio, or omit it\n");
   EXPECT_EQ(faults_of(heard("scales: all, stimuli: [a, b], reference: c")), "");
   EXPECT_EQ(
-      faults_of(heard("scales: all, view: turn")),
-      "8 questionnaire.view: figures that are turned have no sound; omit view, or show stimuli "
+      faults_of(heard("scales: all, view: turn"), "output: {clips: [bvh, glb]}\n"),
+      "9 questionnaire.view: figures that are turned have no sound; omit view, or show stimuli "
       "without audio\n");
 }
 
