@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/factors.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
@@ -273,6 +274,46 @@ TEST_F(Sounds, AreRefusedWhereTheirFileIsNone) {
                       "equalize: [loudness]\n"),
             "6 stimuli[0].audio.gain: the loudness of all sounds is equalized; omit it, or omit "
             "equalize: loudness\n");
+}
+
+/// Two stimuli with sounds and one without, and a questionnaire.
+std::string heard(const std::string& settings) {
+  return "  - {id: a, weights: {sad: 1}, audio: one.wav}\n"
+         "  - {id: b, weights: {normal: 1}, audio: two.wav}\n"
+         "  - {id: c, weights: {proud: 1}}\n"
+         "questionnaire: {participants: 4, " +
+         settings + "}\n";
+}
+
+TEST_F(Sounds, AreNotHeardTwoAtATime) {
+  EXPECT_EQ(faults_of(heard("scales: all, stimuli: [a, b]")), "");
+  EXPECT_EQ(
+      faults_of(heard("scales: [sad-happy], trials: pair")),
+      "8 questionnaire.preference: two sounds would be heard at the same time; show pairs one "
+      "after the other: preference: {shown: in_turn}\n");
+  EXPECT_EQ(faults_of(heard("scales: [sad-happy], trials: pair, preference: {shown: in_turn}")),
+            "");
+  EXPECT_EQ(
+      faults_of(heard("scales: all, stimuli: [b], reference: a")),
+      "8 questionnaire.reference: the reference is shown beside the stimuli, and both would be "
+      "heard at the same time; name a reference without audio, or omit it\n");
+  EXPECT_EQ(faults_of(heard("scales: all, stimuli: [a, b], reference: c")), "");
+  EXPECT_EQ(
+      faults_of(heard("scales: all, view: turn"), "output: {clips: [bvh, glb]}\n"),
+      "9 questionnaire.view: figures that are turned have no sound; omit view, or show stimuli "
+      "without audio\n");
+}
+
+TEST_F(Sounds, AreBestTestedBeforeAQuestionnaire) {
+  const auto warns = [&](const std::string& settings) {
+    return std::ranges::any_of(
+        questionnaire_warnings(manifest_of(heard(settings))), [](const Fault& warning) {
+          return warning.wrong == "nobody tests whether participants hear the sound of the videos";
+        });
+  };
+  EXPECT_TRUE(warns("scales: all"));
+  EXPECT_FALSE(warns("scales: all, screening: {sound: true}"));
+  EXPECT_FALSE(warns("scales: all, stimuli: [c]"));
 }
 
 }  // namespace

@@ -34,6 +34,20 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   check.identical = true;
   check.worst_psnr_db = std::numeric_limits<double>::infinity();
   record.videos.push_back(video_record("videos/a.mkv", render::VideoKind::mkv, 30.0, check));
+  record.videos[1].sound = video_sound_record(
+      {.codec = "opus", .channels = 2, .frames = 168'000, .hash = 0xab, .match = {0, 0.98765}});
+  record.sound = SoundRecord{.file = "a.wav",
+                             .of = "b",
+                             .offset_s = 0.5,
+                             .gain_db = -3.0,
+                             .length = "hold",
+                             .source_s = 4.0,
+                             .channels = 2,
+                             .held_frames = 5,
+                             .cut_s = 0.0,
+                             .silence_s = 0.01,
+                             .loudness_lufs = -23.0,
+                             .true_peak_dbtp = {}};
 
   const FilmRecord read = parse_film_record(film_record_text(record));
   EXPECT_EQ(film_record_text(read), film_record_text(record));
@@ -47,6 +61,10 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   EXPECT_EQ(read.figure_place, record.figure_place);
   EXPECT_EQ(read.warnings, record.warnings);
   EXPECT_EQ(read.visual_degrees, 8.25);
+  EXPECT_EQ(read.sound, record.sound);
+  EXPECT_EQ(read.videos[1].sound->hash, "00000000000000ab");
+  EXPECT_EQ(read.videos[1].sound->correlation, 0.988);
+  EXPECT_FALSE(read.videos[0].sound);
 }
 
 TEST(FilmRecord, RefusesWhatIsNone) {

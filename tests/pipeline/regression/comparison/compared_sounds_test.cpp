@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "pipeline/regression/comparer.h"
 #include "pipeline/temporary_folder.h"
 #include "render/sounds.h"
 #include "render/video_frames.h"
@@ -70,6 +71,43 @@ TEST_F(ComparedSounds, TellAnotherSoundShiftDurationAndLoudness) {
 
 TEST_F(ComparedSounds, NoteAnotherCodecOnly) {
   EXPECT_EQ(told(film("a.mp4", &sound), film("b.webm", &sound)), "|sound in opus instead of aac");
+}
+
+VideoFacts facts_with(std::optional<VideoSoundRecord> heard, const std::string& hash) {
+  VideoFacts facts;
+  facts.record = {.file = "videos/a.mp4",
+                  .format = "mp4",
+                  .frames = 10,
+                  .fps = 10.0,
+                  .duration_s = 1.0,
+                  .identical = true,
+                  .sound = std::move(heard)};
+  facts.hash = hash;
+  return facts;
+}
+
+TEST(VideoChanges, TellChangesOfTheSound) {
+  const VideoSoundRecord sound{.codec = "aac",
+                               .rate = sound_rate,
+                               .channels = 1,
+                               .frames = sound_rate,
+                               .hash = "1",
+                               .offset_frames = 0,
+                               .correlation = 0.9};
+  const auto change = [&](const std::optional<VideoSoundRecord>& before,
+                          const std::optional<VideoSoundRecord>& now) {
+    return video_changes({facts_with(before, "x")}, {facts_with(now, "y")}).at(0);
+  };
+  VideoSoundRecord other = sound;
+  EXPECT_TRUE(change(sound, other).same_frames) << "only encoded otherwise";
+  EXPECT_EQ(change(sound, other).what.front(), "different content");
+  other.hash = "2";
+  EXPECT_FALSE(change(sound, other).same_frames);
+  EXPECT_EQ(change(sound, other).what.front(), "another sound");
+  other.frames = 2 * sound_rate;
+  EXPECT_EQ(change(sound, other).what.front().find("sound of 1"), 0u);
+  EXPECT_EQ(change(sound, {}).what.front(), "no longer has a sound");
+  EXPECT_FALSE(change({}, sound).same_frames);
 }
 
 }  // namespace
