@@ -200,18 +200,21 @@ TEST(FactorContrasts, AreThePlannedOnesAndAllPairs) {
 }
 
 TEST(FactorContrasts, ScoreParticipantsExactly) {
-  // 1/3-weights of points: differences of 0 and ties are exact.
-  AnswerSet answer_set = answer_set_of(two_by_three(5));
-  for (AnalysedRating& rating : answer_set.ratings)
-    rating.value = rating.stimulus % 3 == 0 ? 1 : -0.5;
+  // (0.1 + 0.7 − 2 · 0.4) / 3 is 0, and so are multiples of it.
+  AnswerSet answer_set = answer_set_of(two_by_three(12));
+  for (AnalysedRating& rating : answer_set.ratings) {
+    const double emotions[] = {0.1, 0.7, 0.4};
+    rating.value =
+        std::round(10.0 * emotions[rating.stimulus % 3] * static_cast<double>(rating.person + 1)) /
+        10.0;
+  }
   PlannedContrast thirds = sad_against_the_rest();
-  thirds.weights = {
-      {"emotion", {{"sad", 1.0 / 3.0}, {"happy", -1.0 / 6.0}, {"angry", -1.0 / 6.0}}}};
+  thirds.weights = {{"emotion", {{"sad", 1.0 / 3.0}, {"happy", 1.0 / 3.0}, {"angry", -2.0 / 3.0}}}};
   answer_set.factorial.contrasts = {thirds};
   const FactorContrast& contrast = factor_contrasts(answer_set)[0];
+  EXPECT_EQ(contrast.within.wilcoxon.zeros, 12);
+  EXPECT_EQ(contrast.within.t.mean, 0.0);
   EXPECT_TRUE(contrast.within.all_equal);
-  EXPECT_EQ(contrast.within.t.mean, 0.5);
-  EXPECT_EQ(contrast.within.wilcoxon.tied, 5);
   EXPECT_TRUE(std::isnan(contrast.dz_ends.low));
 }
 

@@ -116,6 +116,15 @@ j <- function(df) exp(lgamma(df / 2) - lgamma((df - 1) / 2)) / sqrt(df / 2)
 expect("effect", d = (mean(a) - mean(c_)) / pooled, g = j(38) * (mean(a) - mean(c_)) / pooled,
        dz = mean(a - b) / sd(a - b), gz = j(22) * mean(a - b) / sd(a - b))
 
+# --- Means ----------------------------------------------------------------------------------------
+
+for (name in c("ratings", "few", "smooth")) {
+  x <- samples[[name]]
+  r <- t.test(x)
+  expect(paste0(name, "/summary"), mean = mean(x), sd = sd(x), median = median(x),
+         low = r$conf.int[1], high = r$conf.int[2])
+}
+
 # --- Corrections ----------------------------------------------------------------------------------
 
 p <- sample_of("p-values", c(0.04, 0.001, 0.9, 0.012, 0.012, 0.3, 0.0499, 1, 0.00002, 0.02))
