@@ -15,51 +15,51 @@ using nlohmann::ordered_json;
 namespace {
 
 ordered_json video_sound_json(const VideoSoundRecord& sound) {
-  ordered_json json = {{"codec", sound.codec},       {"rate", sound.rate},
-                       {"channels", sound.channels}, {"frames", sound.frames},
-                       {"hash", sound.hash},         {"correlation", sound.correlation}};
-  if (sound.offset_frames) json["offset_frames"] = *sound.offset_frames;
-  return json;
+  ordered_json entry = {{"codec", sound.codec},       {"rate", sound.rate},
+                        {"channels", sound.channels}, {"frames", sound.frames},
+                        {"hash", sound.hash},         {"correlation", sound.correlation}};
+  if (sound.offset_frames) entry["offset_frames"] = *sound.offset_frames;
+  return entry;
 }
 
-VideoSoundRecord video_sound_of(const nlohmann::json& json) {
-  VideoSoundRecord sound{.codec = json.at("codec"),
-                         .rate = json.at("rate"),
-                         .channels = json.at("channels"),
-                         .frames = json.at("frames"),
-                         .hash = json.at("hash"),
+VideoSoundRecord video_sound_of(const nlohmann::json& entry) {
+  VideoSoundRecord sound{.codec = entry.at("codec"),
+                         .rate = entry.at("rate"),
+                         .channels = entry.at("channels"),
+                         .frames = entry.at("frames"),
+                         .hash = entry.at("hash"),
                          .offset_frames = {},
-                         .correlation = json.at("correlation")};
-  if (json.contains("offset_frames")) sound.offset_frames = json.at("offset_frames");
+                         .correlation = entry.at("correlation")};
+  if (entry.contains("offset_frames")) sound.offset_frames = entry.at("offset_frames");
   return sound;
 }
 
 ordered_json sound_json(const SoundRecord& sound) {
-  ordered_json json = {{"file", sound.file},         {"of", sound.of},
-                       {"offset_s", sound.offset_s}, {"gain_db", sound.gain_db},
-                       {"length", sound.length},     {"source_s", sound.source_s},
-                       {"channels", sound.channels}, {"held_frames", sound.held_frames},
-                       {"cut_s", sound.cut_s},       {"silence_s", sound.silence_s}};
-  if (sound.loudness_lufs) json["loudness_lufs"] = *sound.loudness_lufs;
-  if (sound.true_peak_dbtp) json["true_peak_dbtp"] = *sound.true_peak_dbtp;
-  return json;
+  ordered_json entry = {{"file", sound.file},         {"of", sound.of},
+                        {"offset_s", sound.offset_s}, {"gain_db", sound.gain_db},
+                        {"length", sound.length},     {"source_s", sound.source_s},
+                        {"channels", sound.channels}, {"held_frames", sound.held_frames},
+                        {"cut_s", sound.cut_s},       {"silence_s", sound.silence_s}};
+  if (sound.loudness_lufs) entry["loudness_lufs"] = *sound.loudness_lufs;
+  if (sound.true_peak_dbtp) entry["true_peak_dbtp"] = *sound.true_peak_dbtp;
+  return entry;
 }
 
-SoundRecord sound_of(const nlohmann::json& json) {
-  SoundRecord sound{.file = json.at("file"),
-                    .of = json.at("of"),
-                    .offset_s = json.at("offset_s"),
-                    .gain_db = json.at("gain_db"),
-                    .length = json.at("length"),
-                    .source_s = json.at("source_s"),
-                    .channels = json.at("channels"),
-                    .held_frames = json.at("held_frames"),
-                    .cut_s = json.at("cut_s"),
-                    .silence_s = json.at("silence_s"),
+SoundRecord sound_of(const nlohmann::json& entry) {
+  SoundRecord sound{.file = entry.at("file"),
+                    .of = entry.at("of"),
+                    .offset_s = entry.at("offset_s"),
+                    .gain_db = entry.at("gain_db"),
+                    .length = entry.at("length"),
+                    .source_s = entry.at("source_s"),
+                    .channels = entry.at("channels"),
+                    .held_frames = entry.at("held_frames"),
+                    .cut_s = entry.at("cut_s"),
+                    .silence_s = entry.at("silence_s"),
                     .loudness_lufs = {},
                     .true_peak_dbtp = {}};
-  if (json.contains("loudness_lufs")) sound.loudness_lufs = json.at("loudness_lufs");
-  if (json.contains("true_peak_dbtp")) sound.true_peak_dbtp = json.at("true_peak_dbtp");
+  if (entry.contains("loudness_lufs")) sound.loudness_lufs = entry.at("loudness_lufs");
+  if (entry.contains("true_peak_dbtp")) sound.true_peak_dbtp = entry.at("true_peak_dbtp");
   return sound;
 }
 

@@ -18,11 +18,11 @@ using render::test::tone;
 
 class ComparedSounds : public testing::Test {
  protected:
-  std::filesystem::path film(const std::string& name, const Sound* sound) {
+  std::filesystem::path film(const std::string& name, const Sound* heard) {
     const std::filesystem::path file = folder.path() / name;
     render::VideoWriter video(
         file, {.width = 64, .height = 48, .rate = {10, 1}, .kind = *render::video_kind_of(file)},
-        sound);
+        heard);
     for (const render::Image8& frame : render::test::smooth_frames(64, 48, 10)) video.write(frame);
     video.finish();
     return file;
