@@ -132,15 +132,18 @@ std::string examples_key(const ordered_json& document) {
 
 ordered_json document_excerpt(const ordered_json& document, const std::vector<std::string>& ids) {
   ordered_json about = document;
-  for (const char* name : {"sheets", "overlays", "questionnaire", "matching", "equalize"})
+  for (const char* name :
+       {"sheets", "overlays", "questionnaire", "matching", "equalize", "design", "mismatch"})
     about.erase(name);
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return about;
+  for (ordered_json& stimulus : about["stimuli"])
+    if (stimulus.is_object()) stimulus.erase("audio");
   const auto is_wanted = [&](const ordered_json& stimulus) {
     if (!stimulus.is_object() || !stimulus.contains("id")) return false;
     return std::any_of(ids.begin(), ids.end(),
                        [&](const auto& id) { return stimulus["id"] == id; });
   };
-  const ordered_json& all = document["stimuli"];
+  const ordered_json all = about["stimuli"];
   // A foil depends on the stimulus that it names.
   const bool needs_others = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
     return is_wanted(stimulus) && stimulus.contains("foil");

@@ -104,6 +104,12 @@ TEST(StudioMotions, GoByOtherStimuliAsARunDoes) {
                "  - {id: a, adjectives: {quickness: 0.6}, hold: others, modify: {emotion: sad}}\n"
                "  - {id: f, foil: {of: a, differ: posture}}\n"),
       3u);
+  // Sounds and the design are not those of one motion.
+  write_file(folder.path() / "s.wav", "RIFF");
+  EXPECT_EQ(compared("  - {id: a, weights: {sad: 1}, audio: s.wav, factors: {mood: sad}}\n"
+                     "  - {id: b, weights: {happy: 1}, audio: {from: a}}\n"
+                     "design: {alike: [mood]}\n"),
+            2u);
 }
 
 }  // namespace
