@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadPath{"{set: builtin:walks-11, script: [{walk: 1}]}", "stimuli[0].path.set"},
         BadPath{"{set: builtin:walks-27, script: [{walk: 1, mood: {brisk: 1}}]}",
                 "stimuli[0].path.script[0].mood.brisk: the set has no walk of this name"},
-        BadPath{"{points: [[0, 0]]}", "stimuli[0].path.points: has 1 elements"},
+        BadPath{"{points: [[0, 0]]}", "stimuli[0].path.points: has 1 element but"},
         BadPath{"{points: [[0, 0], [0, 0.01]]}",
                 "stimuli[0].path.points[1]: only 10 mm from the point before"},
         BadPath{"{points: [[0, 0], [0, 5], [0, 5]]}",
