@@ -35,6 +35,7 @@ Hash appearance_key(const Stimulus& stimulus, FileKeys& files) {
   add_motion(key, rendered, files);
   add_film(key, rendered, files);
   add_presentation(key, rendered.output.presentation);
+  add_sound(key, rendered, {}, files);
   return key.key();
 }
 

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::int64_t stretch_frames = 16'384;
 constexpr double clearly_better = 0.9;
+/// Sounds that differ by less than this share of their energy are not shifted: so little may be a
+/// codec's phase, which moves a low tone by half a sample frame.
+constexpr double same_share = 4e-4;
 /// Sounds that differ by more than this share of their energy are compared at all shifts, others
 /// only at small ones: a periodic sound is like itself at many.
 constexpr double different_share = 0.1;
@@ -88,7 +91,9 @@ std::int64_t best_between(const Stretch& stretch, std::int64_t first, std::int64
 
 std::int64_t best_shift(const Stretch& stretch) {
   const double unshifted = stretch.squared_difference(0);
-  if (unshifted > different_share * energy_of(stretch.written, stretch.length))
+  const double energy = energy_of(stretch.written, stretch.length);
+  if (unshifted < same_share * energy) return 0;
+  if (unshifted > different_share * energy)
     return best_between(stretch, -most_sound_shift, most_sound_shift, clearly_better * unshifted);
   return best_between(stretch, -small_shift, small_shift, clearly_better * unshifted);
 }

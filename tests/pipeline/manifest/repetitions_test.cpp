@@ -46,6 +46,9 @@ TEST(Repetitions, DifferInNothingThatIsSeen) {
       },
       [](Stimulus& b) { b.output.cycles = 7; },
       [](Stimulus& b) { b.output.presentation.blank_before = 0.5; },
+      [](Stimulus& b) {
+        b.sound = StimulusSound{.file = std::filesystem::path(MIEN_SOURCE_DIR) / "README.md"};
+      },
       [](Stimulus& b) { b.modify.push_back({.emotion = "sad", .strength = 0.5}); },
   };
   for (const auto& change : seen) EXPECT_EQ(repetition_note(change), "");
