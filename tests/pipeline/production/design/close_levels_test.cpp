@@ -49,18 +49,21 @@ TEST(CloseLevels, AreThoseWhoseMotionsDifferByLessThanTheThreshold) {
 }
 
 TEST(CloseLevels, CompareStimuliWithTheSameLevelsOfOtherFactors) {
-  // Within an actor the moods are far apart; across actors they are equal.
+  // The actors are far apart; the moods of an actor are not.
   Manifest manifest = study_of({blend("a", 0.0, {{"actor", "k"}, {"mood", "low"}}),
-                                blend("b", 1.0, {{"actor", "k"}, {"mood", "high"}}),
+                                blend("b", 0.1, {{"actor", "k"}, {"mood", "high"}}),
                                 blend("c", 1.0, {{"actor", "t"}, {"mood", "low"}}),
-                                blend("d", 0.0, {{"actor", "t"}, {"mood", "high"}})});
+                                blend("d", 0.9, {{"actor", "t"}, {"mood", "high"}})});
   Motions motions(manifest);
-  manifest.design.threshold_m = 0.5 * motions.distance("a", "b").mean;
-  EXPECT_TRUE(close_levels(manifest, motions).empty());
+  manifest.design.threshold_m = 0.5 * motions.distance("a", "c").mean;
+  const std::vector<FactorLevels> found = close_levels(manifest, motions);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].factor, "mood");
+  EXPECT_EQ(found[0].close[0].pairs, 2);
   // One pair that is far apart suffices.
-  manifest.stimuli[3].weights = {{"happy", 1.0}};
+  manifest.stimuli[3].weights = {{"normal", 1.0}};
   Motions others(manifest);
-  for (const FactorLevels& one : close_levels(manifest, others)) EXPECT_NE(one.factor, "mood");
+  EXPECT_TRUE(close_levels(manifest, others).empty());
 }
 
 TEST(CloseLevels, AreNotThoseOfAFactorThatLeavesTheMotionAsItIs) {

@@ -136,7 +136,8 @@ TEST(Confounds, AreFactorsThatCannotBeToldApart) {
   study.manifest.design.varies = {{"mood", {"actor"}}};
   EXPECT_EQ(study.warnings(), "");
   EXPECT_EQ(DesignedStudy({{"k", "sad"}, {"k", "happy"}, {"t", "happy"}}).warnings(), "");
-  EXPECT_EQ(DesignedStudy({{"k", "sad"}, {"l", "sad"}, {"t", "happy"}}).warnings(), "")
+  EXPECT_EQ(DesignedStudy({{"k", "sad"}, {"k", "sad"}, {"l", "sad"}, {"t", "happy"}}).warnings(),
+            "")
       << "actors are nested in moods";
 }
 
