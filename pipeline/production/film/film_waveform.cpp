@@ -11,9 +11,9 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr int picture_width = 960;
-constexpr int picture_height = 150;
-constexpr int wave_height = 120;  ///< full scale, from the top
+constexpr int picture_width = 480;
+constexpr int picture_height = 116;
+constexpr int wave_height = 80;  ///< full scale, from the top
 constexpr int stretches = 480;
 
 /// One closed outline: the largest samples to the right, the smallest back to the left.
@@ -30,15 +30,23 @@ std::string outline(const render::Sound& sound) {
   return points;
 }
 
+/// Of the first line: what is heard.
 std::string caption(const SoundRecord& record, double seconds) {
   std::string text = fmt::format("{}, {:.2f} s", record.file, seconds);
   if (record.loudness_lufs) text += fmt::format(", {:.1f} LUFS", *record.loudness_lufs);
   if (record.true_peak_dbtp) text += fmt::format(", true peak {:.1f} dBTP", *record.true_peak_dbtp);
-  if (record.cut_s > 0.0) text += fmt::format(", cut by {:.2f} s", record.cut_s);
-  if (record.silence_s > 0.0) text += fmt::format(", then {:.2f} s of silence", record.silence_s);
-  if (record.held_frames > 0)
-    text += fmt::format(", last picture held for {} frames", record.held_frames);
   return text;
+}
+
+/// Of the second line: how sound and film were made equally long.
+std::string fitting(const SoundRecord& record) {
+  if (record.cut_s > 0.0) return fmt::format("the sound is cut by {:.2f} s", record.cut_s);
+  if (record.silence_s > 0.0)
+    return fmt::format("followed by {:.2f} s of silence", record.silence_s);
+  if (record.held_frames > 0)
+    return fmt::format("the last picture is held for {} frame{}", record.held_frames,
+                       record.held_frames == 1 ? "" : "s");
+  return "";
 }
 
 }  // namespace
@@ -67,10 +75,11 @@ std::string waveform_svg(const FilmSound& sound, const PresentationFrames& frame
       "height=\"{1}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
       "<line x1=\"0\" x2=\"{0}\" y1=\"{2}\" y2=\"{2}\" stroke=\"#d6dbe1\"/>\n"
       "<polygon points=\"{3}\" fill=\"#2a62b8\"/>\n{4}"
-      "<text x=\"4\" y=\"{5}\" font-family=\"sans-serif\" font-size=\"15\" fill=\"#1d2126\">{6}"
-      "</text>\n</svg>\n",
+      "<g font-family=\"sans-serif\" font-size=\"14\" fill=\"#1d2126\"><text x=\"4\" "
+      "y=\"{5}\">{6}</text>\n<text x=\"4\" y=\"{7}\">{8}</text></g>\n</svg>\n",
       picture_width, picture_height, wave_height / 2, outline(sound.sound).substr(1), lines,
-      picture_height - 10, html_escaped(caption(sound.record, all / fps)));
+      wave_height + 15, html_escaped(caption(sound.record, all / fps)), wave_height + 32,
+      html_escaped(fitting(sound.record)));
 }
 
 }  // namespace mien::pipeline
