@@ -211,7 +211,7 @@ TEST(FactorContrasts, ScoreParticipantsExactly) {
   PlannedContrast thirds = sad_against_the_rest();
   thirds.weights = {{"emotion", {{"sad", 1.0 / 3.0}, {"happy", 1.0 / 3.0}, {"angry", -2.0 / 3.0}}}};
   answer_set.factorial.contrasts = {thirds};
-  const FactorContrast& contrast = factor_contrasts(answer_set)[0];
+  const FactorContrast contrast = factor_contrasts(answer_set)[0];
   EXPECT_EQ(contrast.within.wilcoxon.zeros, 12);
   EXPECT_EQ(contrast.within.t.mean, 0.0);
   EXPECT_TRUE(contrast.within.all_equal);
