@@ -22,7 +22,6 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions,
 /// read from the records in the study's folder. `design` are the
 /// findings about the factors.
 std::string warnings_csv(const Manifest& manifest, Motions& motions,
-                         const std::filesystem::path& folder,
-                         const DesignFindings& design);
+                         const std::filesystem::path& folder, const DesignFindings& design);
 
 }  // namespace mien::pipeline
