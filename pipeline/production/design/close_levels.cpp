@@ -12,7 +12,10 @@ namespace mien::pipeline {
 
 namespace {
 
-constexpr int most_pairs = 200;
+// Each distance takes about a millisecond.
+constexpr std::size_t most_pairs = 200;        // of two levels
+constexpr std::size_t most_distances = 5'000;  // for one factor
+constexpr std::size_t most_levels = 100;       // of one factor
 
 /// Distances below this, metres, are those of one motion to itself.
 constexpr double same_motion_m = 1e-6;
@@ -37,20 +40,21 @@ std::optional<double> distance_between(const Stimulus& a, const Stimulus& b, Mot
 class LevelComparison {
  public:
   LevelComparison(const Manifest& manifest, Motions& motions, const std::string& factor)
-      : manifest_(manifest),
-        motions_(motions),
-        factor_(factor),
-        factors_(studied_factors(manifest)) {
+      : manifest_(manifest), motions_(motions), factor_(factor) {
+    const std::vector<std::string> factors = studied_factors(manifest);
     for (const Stimulus& stimulus : manifest.stimuli) {
       const std::string level = level_of(stimulus, factor);
       if (level.empty()) continue;
-      if (std::ranges::find(levels_, level) == levels_.end()) levels_.push_back(level);
-      stimuli_[level].push_back(&stimulus);
+      if (!stimuli_.contains(level)) levels_.push_back(level);
+      stimuli_[level].push_back({&stimulus, other_levels(stimulus, factor, factors)});
     }
+    const std::size_t pairs = levels_.size() * (levels_.size() - 1) / 2;
+    if (pairs > 0) limit_ = std::clamp<std::size_t>(most_distances / pairs, 1, most_pairs);
   }
 
   FactorLevels close() {
-    FactorLevels found{.factor = factor_, .levels = static_cast<int>(levels_.size())};
+    FactorLevels found{.factor = factor_};
+    if (levels_.size() > most_levels) return found;
     bool any_differs = false;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
       for (std::size_t k = i + 1; k < levels_.size(); ++k) {
@@ -67,17 +71,24 @@ class LevelComparison {
   }
 
  private:
+  /// A stimulus with its levels of the other factors.
+  struct Placed {
+    const Stimulus* stimulus;
+    std::vector<std::string> other_levels;
+  };
+
   CloseLevels compare(const std::string& first, const std::string& second) {
     CloseLevels found{first, second};
-    for (const Stimulus* a : stimuli_[first]) {
-      const auto levels = other_levels(*a, factor_, factors_);
-      for (const Stimulus* b : stimuli_[second]) {
-        if (other_levels(*b, factor_, factors_) != levels) continue;
-        const auto distance = distance_between(*a, *b, motions_);
+    std::size_t tried = 0;
+    for (const Placed& a : stimuli_[first]) {
+      for (const Placed& b : stimuli_[second]) {
+        if (a.other_levels != b.other_levels) continue;
+        if (++tried > limit_) return found;
+        const auto distance = distance_between(*a.stimulus, *b.stimulus, motions_);
         if (!distance) continue;
         found.greatest_m = std::max(found.greatest_m, *distance);
-        if (++found.pairs == most_pairs || found.greatest_m >= manifest_.design.threshold_m)
-          return found;
+        ++found.pairs;
+        if (found.greatest_m >= manifest_.design.threshold_m) return found;
       }
     }
     return found;
@@ -86,9 +97,9 @@ class LevelComparison {
   const Manifest& manifest_;
   Motions& motions_;
   const std::string& factor_;
-  std::vector<std::string> factors_;
   std::vector<std::string> levels_;
-  std::map<std::string, std::vector<const Stimulus*>> stimuli_;  // by level
+  std::map<std::string, std::vector<Placed>> stimuli_;  // by level
+  std::size_t limit_ = 1;                               // of pairs of two levels
 };
 
 struct CloseLevelsRow {

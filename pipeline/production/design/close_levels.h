@@ -21,17 +21,17 @@ struct CloseLevels {
 /// The pairs of levels of a factor that are alike.
 struct FactorLevels {
   std::string factor;
-  int levels = 0;
   int compared = 0;                ///< compared pairs of levels
   std::vector<CloseLevels> close;  ///< the closest first
 };
 
 /// Finds pairs of levels between which no two motions differ by a distance D
 /// (motion/measures/distance/distance.h) of `manifest.design.threshold_m` or more. Compared are
-/// stimuli that have the same levels of all other factors, and at most 200 pairs of each two
-/// levels. Returns the factors that have such levels, except those that leave the motion as it is,
-/// such as the kind of figure, and those of `design.alike`. Motions that cannot be compared are
-/// left out. Makes the motions. Throws Error.
+/// stimuli that have the same levels of all other factors, at most 200 pairs of each two levels and
+/// about 5000 pairs for a factor; factors with more than 100 levels are not compared. Returns the
+/// factors that have such levels, except those that leave the motion as it is, such as the kind of
+/// figure, and those of `design.alike`. Motions that cannot be compared are left out. Makes the
+/// motions. Throws Error.
 std::vector<FactorLevels> close_levels(const Manifest& manifest, Motions& motions);
 
 /// A warning for each factor, with its three closest pairs.

@@ -154,9 +154,7 @@ std::string shown(const LevelProperty& level, const StimulusProperty& property) 
   if (property.is_number)
     return fmt::format("{}: {:.3g} {}", level.level, level.mean, property.unit);
   constexpr std::size_t most = 40;
-  std::string text = level.text.empty() ? "default" : level.text;
-  if (text.size() > most) text = "…";
-  return level.level + ": " + text;
+  return level.level + ": " + (level.text.size() > most ? "…" : level.text);
 }
 
 std::string shown(const FactorProperty& relation) {

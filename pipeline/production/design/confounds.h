@@ -15,7 +15,8 @@ enum class PropertyRelation {
   same,      ///< all stimuli have the same value (numbers: within 1 %)
   varies,    ///< values differ within a level
   follows,   ///< the value is constant within levels and differs between them: a confound
-  intended,  ///< so it is, as `design.varies` states, or as the factor's name says
+  intended,  ///< it follows the factor, but `design.varies` states that it may, or the factor has
+             ///< the property's name
 };
 
 /// The values of a property among the stimuli with one level of a factor.
@@ -39,9 +40,10 @@ struct FactorProperty {
   std::vector<LevelProperty> levels;
 };
 
-/// Returns the relation of every known property to every factor (studied_factors) with two levels
-/// or more. A number follows a factor only if a level has several
-/// stimuli, because a single motion always differs from others in speed and duration.
+/// Returns the relation of every property to every factor (studied_factors) with two levels or
+/// more, except properties that are unknown for a stimulus. A number follows a factor only if a
+/// level has several stimuli, because a single motion always differs from others in speed and
+/// duration.
 std::vector<FactorProperty> factor_properties(const Manifest& manifest,
                                               const std::vector<PropertyValues>& values);
 

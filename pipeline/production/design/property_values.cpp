@@ -4,14 +4,9 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/reading/field_writer.h"
-#include "pipeline/manifest/look/look_fields.h"
-#include "pipeline/manifest/look/point_form.h"
-#include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/film_tables.h"
@@ -31,21 +26,11 @@ PropertyValue& at(PropertyValues& values, std::string_view id) {
   return values[i];
 }
 
-std::string figure_options(const Look& look) {
-  const OrderedJson figure =
-      FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
-  if (figure.is_string()) return "";
-  OrderedJson options = *figure.begin();
-  if (!options.is_object()) return options.is_null() ? "" : options.dump();
-  options.erase("seed");
-  return options.empty() ? "" : options.dump();
-}
+std::string or_default(const std::string& options) { return options.empty() ? "default" : options; }
 
 std::string camera(const Look& look) {
-  OrderedJson options = written(look.camera, WritingOptions{.for_key = true});
-  if (options.is_object()) options.erase("view");
-  const bool has_options = options.is_object() && !options.empty();
-  return has_options ? look.camera.view + " " + options.dump() : look.camera.view;
+  const std::string options = camera_options(look);
+  return options.empty() ? look.camera.view : look.camera.view + " " + options;
 }
 
 std::string colours(const Stimulus& stimulus) {
@@ -69,7 +54,7 @@ PropertyValues stated_properties(const Stimulus& stimulus, Motions& motions) {
   const auto [width, height] = stimulus.output.shown_size();
   PropertyValues values;
   at(values, "figure").text = scenes::kind_of(stimulus.look.figure).name;
-  at(values, "figure_options").text = figure_options(stimulus.look);
+  at(values, "figure_options").text = or_default(figure_options(stimulus.look));
   at(values, "colours").text = colours(stimulus);
   at(values, "set").text = scene_name(stimulus.look);
   at(values, "camera").text = camera(stimulus.look);

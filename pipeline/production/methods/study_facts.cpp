@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "motion/interpolation/interpolation_options.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/look/look_fields.h"
+#include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/recording_files.h"
 
 namespace mien::pipeline {
@@ -47,6 +52,20 @@ std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
   if (!repertoire.impressions) return {};
   return check_expectations(manifest.ratings.expected, {repertoire.parameters, repertoire.names,
                                                         repertoire.answers, repertoire.scales});
+}
+
+std::string figure_options(const Look& look) {
+  const OrderedJson figure =
+      FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
+  if (figure.is_string()) return "";
+  const OrderedJson options = *figure.begin();
+  return options.is_null() || options.empty() ? "" : options.dump();
+}
+
+std::string camera_options(const Look& look) {
+  OrderedJson camera = written(look.camera, WritingOptions{.for_key = true});
+  if (camera.is_object()) camera.erase("view");
+  return !camera.is_object() || camera.empty() ? "" : camera.dump();
 }
 
 }  // namespace mien::pipeline

@@ -29,6 +29,11 @@ std::string method_of(const Stimulus& stimulus);
 /// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 
+/// Return the options of a look's figure and of its camera, other than its view, that differ from
+/// the defaults, as JSON; empty if there are none.
+std::string figure_options(const Look& look);
+std::string camera_options(const Look& look);
+
 /// Whether the motion of any stimulus of a study uses its examples.
 bool uses_examples(const Manifest& manifest);
 

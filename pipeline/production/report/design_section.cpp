@@ -19,7 +19,7 @@ constexpr std::size_t most_levels = 8;
 constexpr double much_explained = 0.9;
 
 std::string value_of(const LevelProperty& level, const StimulusProperty& property) {
-  if (!property.is_number) return level.text.empty() ? "default" : html_escaped(level.text);
+  if (!property.is_number) return html_escaped(level.text);
   if (level.stimuli == 1) return fmt::format("{:.3g}", level.mean);
   return fmt::format("{:.3g} <small>({:.3g}–{:.3g})</small>", level.mean, level.lowest,
                      level.highest);
@@ -73,7 +73,7 @@ std::string table_of_factor(std::span<const FactorProperty> relations) {
     text +=
         "<th scope=\"col\">relation</th></tr></thead>\n<tbody>" + rows + "</tbody></table></div>\n";
   }
-  if (!same.empty()) text += "<p>The same in all stimuli: " + same + ".</p>\n";
+  if (!same.empty()) text += "<p>The same in all of these stimuli: " + same + ".</p>\n";
   return text;
 }
 

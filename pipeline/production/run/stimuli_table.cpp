@@ -5,12 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "pipeline/base/documents/files.h"
-#include "pipeline/base/reading/field_writer.h"
-#include "pipeline/manifest/look/look_fields.h"
-#include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/film/film.h"
@@ -50,20 +45,6 @@ std::string motions_of(const Overlay& overlay) {
   std::string names;
   for (const auto& [role, name] : motions_on(overlay)) names += (names.empty() ? "" : " ") + name;
   return names;
-}
-
-std::string figure_options(const Look& look) {
-  const OrderedJson figure =
-      FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
-  if (figure.is_string()) return "";
-  const OrderedJson options = *figure.begin();
-  return options.is_null() || options.empty() ? "" : options.dump();
-}
-
-std::string camera_options(const Look& look) {
-  OrderedJson camera = written(look.camera, WritingOptions{.for_key = true});
-  if (camera.is_object()) camera.erase("view");
-  return !camera.is_object() || camera.empty() ? "" : camera.dump();
 }
 
 FilmRecord film_record(const fs::path& folder, const std::string& film) {

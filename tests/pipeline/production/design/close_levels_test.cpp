@@ -34,7 +34,6 @@ TEST(CloseLevels, AreThoseWhoseMotionsDifferByLessThanTheThreshold) {
   std::vector<FactorLevels> found = close_levels(manifest, motions);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].factor, "mood");
-  EXPECT_EQ(found[0].levels, 3);
   EXPECT_EQ(found[0].compared, 3);
   ASSERT_GE(found[0].close.size(), 1u);
   EXPECT_EQ(found[0].close[0].first, "none");
@@ -72,6 +71,19 @@ TEST(CloseLevels, AreNotThoseOfAFactorThatLeavesTheMotionAsItIs) {
   manifest.design.threshold_m = 1.0;
   Motions motions(manifest);
   EXPECT_TRUE(close_levels(manifest, motions).empty());
+}
+
+TEST(CloseLevels, AreNotSoughtAmongMoreThanAHundredLevels) {
+  std::vector<Stimulus> stimuli;
+  for (int i = 0; i < 101; ++i)
+    stimuli.push_back(blend("s" + std::to_string(i), 0.0, {{"clip", std::to_string(i)}}));
+  stimuli[1].weights = {{"happy", 0.01}, {"normal", 0.99}};
+  Manifest manifest = study_of(std::move(stimuli));
+  Motions motions(manifest);
+  EXPECT_TRUE(close_levels(manifest, motions).empty());
+  manifest.stimuli.pop_back();
+  Motions fewer(manifest);
+  EXPECT_FALSE(close_levels(manifest, fewer).empty());
 }
 
 TEST(CloseLevels, AreOneWarningForAFactorWithItsClosestPairs) {
