@@ -10,8 +10,8 @@ namespace mien::render {
 namespace {
 
 constexpr double least_correlation = 0.5;
-/// What follows the sound in its last packet, less than one; FFmpeg decodes it, though MP4 tells
-/// the sound's length.
+/// Sample frames that may follow the sound in its last packet: FFmpeg decodes them, although MP4
+/// stores the length of the sound.
 constexpr std::int64_t most_aac_padding = 1023;
 
 std::string plural(std::int64_t count, const std::string& what) {

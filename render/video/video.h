@@ -57,7 +57,7 @@ struct VideoFormat {
 ///
 /// With a sound, which begins with the first frame, MP4 has a stream of AAC and WebM and Matroska
 /// one of Opus, interleaved with the frames. Its first sample is heard at 0 s: the encoder's delay
-/// is told in the file, so that players leave it out.
+/// is stored in the file, so that players skip it.
 ///
 /// A writer destroyed before finish() may leave an unusable file behind.
 class VideoWriter {
