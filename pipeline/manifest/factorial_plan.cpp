@@ -87,28 +87,49 @@ std::string weights_text(const PlannedContrast& contrast) {
   return fmt::format("({})", fmt::join(parts, ") × ("));
 }
 
-std::string factorial_plan_text(const FactorialPlan& plan) {
+AnalysedAnswers analysed_answers(const Manifest& manifest) {
+  return questionnaire_of(manifest).trials->stimuli > 1 ? AnalysedAnswers::choices
+                                                        : AnalysedAnswers::ratings;
+}
+
+std::string factorial_plan_text(const FactorialPlan& plan, AnalysedAnswers answers) {
   if (plan.empty()) return "";
-  std::string text = fmt::format(
-      "Analysis of variance of each scale by {}; p values with Greenhouse and Geisser's "
-      "correction. "
-      "The mixed models have random intercepts of participants and stimuli{}.\n",
-      factors_text(plan),
-      plan.random_slopes ? ", and random slopes of the factors for participants" : "");
+  const bool are_choices = answers == AnalysedAnswers::choices;
+  std::string text;
+  if (!are_choices)
+    text = fmt::format(
+        "Analysis of variance of each scale by {}; p values with Greenhouse and Geisser's "
+        "correction. "
+        "The mixed models have random intercepts of participants and, if cells have several "
+        "stimuli, of stimuli{}.\n",
+        factors_text(plan),
+        plan.random_slopes ? ", and random slopes of the factors for participants" : "");
+  else if (!plan.factors.empty())
+    text = fmt::format("Worths of the combinations of the levels of {}, on each scale.\n",
+                       fmt::join(plan.factors, " and "));
   if (plan.contrasts.empty()) return text;
-  text += "Planned contrasts, tested by paired t tests of the participants' contrast scores:\n";
+  text += are_choices ? "Planned contrasts of log-worths, tested with resampled participants:\n"
+                      : "Planned contrasts, tested by paired t tests of the participants' contrast "
+                        "scores:\n";
   for (const PlannedContrast& contrast : plan.contrasts)
     text += "- " + contrast_text(contrast) + "\n";
   return text;
 }
 
-std::string factorial_sentence(const FactorialPlan& plan) {
+std::string factorial_sentence(const FactorialPlan& plan, AnalysedAnswers answers) {
   if (plan.empty()) return "";
-  std::string text = fmt::format(
-      "Ratings on each scale were planned to be analysed by a repeated-measures analysis of "
-      "variance "
-      "with {}, with p values corrected by Greenhouse and Geisser's method",
-      factors_text(plan));
+  std::string text;
+  if (answers == AnalysedAnswers::ratings)
+    text = fmt::format(
+        "Ratings on each scale were planned to be analysed by a repeated-measures analysis of "
+        "variance "
+        "with {}, with p values corrected by Greenhouse and Geisser's method",
+        factors_text(plan));
+  else
+    text = fmt::format("Choices were planned to be analysed by the Bradley-Terry model of {}",
+                       plan.factors.empty() ? "the stimuli"
+                                            : fmt::format("the combinations of the levels of {}",
+                                                          fmt::join(plan.factors, " and ")));
   if (plan.contrasts.empty()) return text;
   std::vector<std::string> names;
   for (const PlannedContrast& contrast : plan.contrasts) names.push_back(contrast_text(contrast));

@@ -30,7 +30,9 @@ void fields_of(auto&& field, MaybeConst<PlannedContrast> auto& contrast) {
 
 /// The factors whose effects are tested.
 struct FactorialPlan {
-  std::vector<std::string> factors;  ///< within participants; empty: design_factors
+  /// Within participants; empty: design_factors. Of pairs, worths are those of the combinations of
+  /// their levels; empty: of single stimuli.
+  std::vector<std::string> factors;
   std::string between;  ///< id of the question whose answers form groups of participants; or empty
   std::vector<PlannedContrast> contrasts;
   /// Whether the mixed models have a random slope of each factor for participants, in addition to
@@ -58,11 +60,20 @@ FactorTable design_table(const Manifest& manifest);
 /// "modified − acted" or "(sad − happy) × (walk − 0.5 run)"
 std::string weights_text(const PlannedContrast& contrast);
 
+/// What is analysed by the factors.
+enum class AnalysedAnswers {
+  ratings,  ///< of single stimuli: by an analysis of variance
+  choices,  ///< between two stimuli: by the worths of the combinations of levels
+};
+
+/// The answers that the questionnaire asks for.
+AnalysedAnswers analysed_answers(const Manifest& manifest);
+
 /// What is planned, as a part of an analysis plan: a paragraph with a list, ended by a line end.
 /// Empty if nothing is planned.
-std::string factorial_plan_text(const FactorialPlan& plan);
+std::string factorial_plan_text(const FactorialPlan& plan, AnalysedAnswers answers);
 
 /// The same as a sentence for the methods section of a paper, without its full stop.
-std::string factorial_sentence(const FactorialPlan& plan);
+std::string factorial_sentence(const FactorialPlan& plan, AnalysedAnswers answers);
 
 }  // namespace mien::pipeline

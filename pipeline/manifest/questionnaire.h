@@ -74,6 +74,8 @@ struct PreferenceSettings {
   bool ties = false;                                    ///< "no difference" may be answered
   bool strength = false;                                ///< a preference is slight or strong
   PairPresentation shown = PairPresentation::together;  ///< side by side, or one after the other
+  /// If no pairs are listed: only stimuli with equal levels of these factors form pairs.
+  std::vector<std::string> alike;
   friend bool operator==(const PreferenceSettings&, const PreferenceSettings&) = default;
 };
 
@@ -81,6 +83,7 @@ void fields_of(auto&& field, MaybeConst<PreferenceSettings> auto& preference) {
   field("ties", preference.ties, concerns::nothing);
   field("strength", preference.strength, concerns::nothing);
   field("shown", preference.shown, concerns::nothing, pair_presentation_words);
+  field("alike", preference.alike, concerns::nothing);
 }
 
 /// The size of stimuli on the screen.

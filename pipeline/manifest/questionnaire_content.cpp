@@ -20,6 +20,18 @@ bool has_levels(const Stimulus& stimulus, const StimulusChoice& choice) {
   });
 }
 
+/// For each stimulus, its levels of these factors.
+std::vector<std::vector<std::string>> levels_by_id(const Manifest& manifest,
+                                                   const std::vector<std::string>& ids,
+                                                   const std::vector<std::string>& factors) {
+  std::vector<std::vector<std::string>> levels;
+  for (const std::string& id : ids) {
+    std::vector<std::string>& own = levels.emplace_back();
+    for (const std::string& factor : factors) own.push_back(level_of(manifest, id, factor));
+  }
+  return levels;
+}
+
 }  // namespace
 
 const Questionnaire& questionnaire_of(const Manifest& manifest) {
@@ -99,9 +111,10 @@ std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& man
   std::ranges::copy_if(asked.pairs, std::back_inserter(subjects),
                        [&](const auto& pair) { return pair.size() == asked.trials->stimuli; });
   if (!subjects.empty()) return subjects;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    for (std::size_t j = i + 1; j < ids.size(); ++j) subjects.push_back({ids[i], ids[j]});
-  }
+  const auto levels = levels_by_id(manifest, ids, asked.preference.alike);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    for (std::size_t j = i + 1; j < ids.size(); ++j)
+      if (levels[i] == levels[j]) subjects.push_back({ids[i], ids[j]});
   return subjects;
 }
 

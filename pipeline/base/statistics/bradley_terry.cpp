@@ -280,6 +280,24 @@ std::vector<Interval95> profile_intervals(const BradleyTerry& fit,
   return intervals;
 }
 
+std::vector<double> contrast_errors(const BradleyTerry& fit, const std::vector<PairCount>& counts,
+                                    OrderEffect order,
+                                    const std::vector<std::vector<double>>& contrasts) {
+  std::vector<double> errors(contrasts.size(), no_worth);
+  if (!fit.is_finite) return errors;
+  const PairLikelihood model = likelihood_of(counts, fit.groups, order);
+  const Completed information =
+      completed(model, derivatives_of(model, parameters_of(model, fit)).information);
+  if (!information.is_regular) return errors;
+  for (std::size_t i = 0; i < contrasts.size(); ++i) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(model.parameters);
+    for (std::size_t k = 0; k < contrasts[i].size(); ++k)
+      weights[static_cast<Eigen::Index>(k)] = contrasts[i][k];
+    errors[i] = std::sqrt(weights.dot(information.solver.solve(weights)));
+  }
+  return errors;
+}
+
 LikelihoodRatio equal_worth_test(const BradleyTerry& fit, const std::vector<PairCount>& counts,
                                  OrderEffect order) {
   const int degrees = fit.groups.compared - fit.groups.parts;

@@ -61,6 +61,13 @@ BradleyTerry bradley_terry(const std::vector<PairCount>& counts, std::size_t sti
 std::vector<Interval95> profile_intervals(const BradleyTerry& fit,
                                           const std::vector<PairCount>& counts, OrderEffect order);
 
+/// Standard errors of sums of worths times weights, from the information matrix; all comparisons
+/// are treated as independent. The weights, one for each stimulus, must be of stimuli of the same
+/// group and have a sum of 0. NaN if the model has no finite estimate.
+std::vector<double> contrast_errors(const BradleyTerry& fit, const std::vector<PairCount>& counts,
+                                    OrderEffect order,
+                                    const std::vector<std::vector<double>>& contrasts);
+
 /// A likelihood-ratio test. p is NaN if one of the models has no finite estimate or there are no
 /// degrees of freedom.
 struct LikelihoodRatio {

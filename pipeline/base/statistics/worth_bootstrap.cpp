@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include <boost/math/distributions/normal.hpp>
@@ -85,13 +86,27 @@ Interval95 percentiles(std::vector<double> values, int resamples, double share) 
           values[values.size() - 1 - static_cast<std::size_t>(rank)]};
 }
 
+double weighted_sum(const WorthWeights& weights, const std::vector<double>& worths) {
+  return std::inner_product(weights.begin(), weights.end(), worths.begin(), 0.0);
+}
+
+/// n − 1 in the denominator.
+double resampled_error(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / (n - 1.0));
+}
+
 }  // namespace
 
 WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people,
                                std::size_t stimuli, OrderEffect order, std::uint64_t seed,
-                               int resamples) {
+                               int resamples, const std::vector<WorthWeights>& contrasts) {
   const PlacedCounts all = placed(people);
   std::vector<std::vector<double>> worths(stimuli);
+  std::vector<std::vector<double>> sums(contrasts.size());
   std::vector<double> orders;
   WorthBootstrap result;
   result.resamples = resamples;
@@ -102,11 +117,18 @@ WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people
       continue;
     }
     for (std::size_t i = 0; i < stimuli; ++i) worths[i].push_back(fit.worth[i]);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i].push_back(weighted_sum(contrasts[i], fit.worth));
     if (order == OrderEffect::estimated) orders.push_back(fit.order);
   }
   const double share = tail_share(people.size());
   for (std::vector<double>& values : worths)
     result.worth.push_back(percentiles(std::move(values), resamples, share));
+  for (std::vector<double>& values : sums) {
+    const double error = resampled_error(values);
+    const Interval95 ends = percentiles(std::move(values), resamples, share);
+    result.contrasts.push_back({ends, std::isnan(ends.low) ? ends.low : error});
+  }
   result.order = percentiles(std::move(orders), resamples, share);
   return result;
 }

@@ -8,10 +8,20 @@
 
 namespace mien::pipeline {
 
+/// A sum of worths times weights: one weight for each stimulus, with a sum of 0.
+using WorthWeights = std::vector<double>;
+
+/// What resampled participants say about a sum of weighted worths.
+struct ResampledContrast {
+  Interval95 ends;
+  double error;  ///< standard deviation over the resamples; NaN if `ends` are
+};
+
 /// 95 % intervals of worths that hold if participants, not answers, are independent of each other.
 struct WorthBootstrap {
-  std::vector<Interval95> worth;  ///< of each stimulus
-  Interval95 order;               ///< of the order effect
+  std::vector<Interval95> worth;             ///< of each stimulus
+  std::vector<ResampledContrast> contrasts;  ///< of each sum of weighted worths
+  Interval95 order;                          ///< of the order effect
   int resamples = 0;
   /// Number of resamples in which not all worths are finite and comparable.
   int without_estimate = 0;
@@ -27,6 +37,7 @@ struct WorthBootstrap {
 /// them that an end would be infinite, it is NaN. The draws depend only on `seed`.
 WorthBootstrap worth_bootstrap(const std::vector<std::vector<PairCount>>& people,
                                std::size_t stimuli, OrderEffect order, std::uint64_t seed,
-                               int resamples = 999);
+                               int resamples = 999,
+                               const std::vector<WorthWeights>& contrasts = {});
 
 }  // namespace mien::pipeline

@@ -48,13 +48,38 @@ class FactorialCheck {
 
  private:
   void check_trials() {
-    if (asked_.trials->is_on_scale && asked_.trials->stimuli == 1 && !asked_.answer.words) return;
-    for (const char* key : {"factors", "between", "contrasts", "random_slopes"})
-      if (list_.was_given(member_path(analysis_path, key)))
-        list_.add_at_key(member_path(analysis_path, key),
-                         "is computed from ratings of single stimuli, which this questionnaire "
-                         "does not ask for",
-                         "omit it");
+    const bool has_words = asked_.answer.words;
+    if (asked_.trials->is_on_scale && asked_.trials->stimuli == 1 && !has_words) return;
+    const bool are_pairs = asked_.trials == &pair_form;
+    for (const char* key : {"factors", "between", "contrasts", "random_slopes"}) {
+      const std::string path = member_path(analysis_path, key);
+      const bool is_of_pairs = key == std::string("factors") || key == std::string("contrasts");
+      if ((are_pairs && is_of_pairs) || !list_.was_given(path)) continue;
+      list_.add_at_key(path,
+                       "is computed from ratings of single stimuli, which this questionnaire "
+                       "does not ask for",
+                       "omit it");
+    }
+    if (are_pairs) check_levels_of_pairs();
+  }
+
+  /// Reports compared stimuli without a level of a factor, which would be in no condition.
+  void check_levels_of_pairs() {
+    for (std::size_t i = 0; i < plan_.factors.size(); ++i) {
+      const std::vector<std::string> known = factors_of(manifest_);
+      if (std::ranges::find(known, plan_.factors[i]) == known.end()) continue;
+      for (const auto& pair : questionnaire_subjects(manifest_)) {
+        const auto without = std::ranges::find_if(pair, [&](const std::string& id) {
+          return level_of(manifest_, id, plan_.factors[i]).empty();
+        });
+        if (without == pair.end()) continue;
+        list_.add(element_path(member_path(analysis_path, "factors"), i),
+                  fmt::format("{} is compared, but has no level of {}", motion::in_quotes(*without),
+                              motion::in_quotes(plan_.factors[i])),
+                  "add it to its factors: {…}, or omit the factor here");
+        break;
+      }
+    }
   }
 
   void check_factors() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 
@@ -165,6 +166,16 @@ class QuestionnaireCheck {
                 "name an even number");
     for (std::size_t i = 0; i < questionnaire_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), questionnaire_.pairs[i], "stimulus", ids_);
+    check_alike();
+  }
+
+  void check_alike() {
+    const std::vector<std::string>& alike = questionnaire_.preference.alike;
+    const std::string path = member_path(at("preference"), "alike");
+    if (alike.empty() || form_.stimuli == 1) return;
+    if (!questionnaire_.pairs.empty())
+      return list_.add_at_key(path, "the pairs are listed", "omit it, or omit pairs");
+    for (std::size_t i = 0; i < alike.size(); ++i) check_factor(element_path(path, i), alike[i]);
   }
 
   void check_order() {
@@ -191,11 +202,20 @@ class QuestionnaireCheck {
   /// Reports too many pairs: no participant would rate them all, and they would not fit in memory.
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
-    const std::size_t count = questionnaire_stimuli(manifest_).size();
     if (form_.stimuli == 1 || !questionnaire_.pairs.empty()) return false;
-    if (count * (count - 1) / 2 <= most_pairs || count == 0) return false;
+    const Names ids = questionnaire_stimuli(manifest_);
+    std::map<Names, std::size_t> counts;
+    for (const std::string& id : ids) {
+      Names levels;
+      for (const std::string& factor : questionnaire_.preference.alike)
+        levels.push_back(level_of(manifest_, id, factor));
+      ++counts[levels];
+    }
+    std::size_t pairs = 0;
+    for (const auto& [levels, count] : counts) pairs += count * (count - 1) / 2;
+    if (pairs <= most_pairs) return false;
     list_.add(at("trials"),
-              fmt::format("the number of pairs of {} stimuli exceeds {}", count, most_pairs),
+              fmt::format("the number of pairs of {} stimuli exceeds {}", ids.size(), most_pairs),
               "list the pairs to show: pairs: [[a, b], …]");
     return true;
   }
@@ -203,6 +223,10 @@ class QuestionnaireCheck {
   void check_numbers() {
     if (are_too_many_pairs()) return;
     const std::size_t trials = questionnaire_subjects(manifest_).size();
+    if (trials == 0 && !ids_.empty() && !questionnaire_.preference.alike.empty())
+      list_.add(member_path(at("preference"), "alike"),
+                "no two stimuli have equal levels of these factors",
+                "name factors whose levels several stimuli share");
     if (trials == 0 || ids_.empty()) return;
     const int all = static_cast<int>(trials);
     const int own =

@@ -154,7 +154,8 @@ void describe_matching_settings(MethodsText& out) {
 
 void describe_factorial_plan(MethodsText& out) {
   if (!out.manifest.questionnaire) return;
-  const std::string sentence = factorial_sentence(out.manifest.questionnaire->analysis.factorial);
+  const std::string sentence = factorial_sentence(out.manifest.questionnaire->analysis.factorial,
+                                                  analysed_answers(out.manifest));
   if (!sentence.empty()) out.say(sentence);
 }
 

@@ -79,10 +79,12 @@ constexpr auto scales_columns = table_of<Scale>(
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
 /// The plan as the manifest has it, followed by factors and contrasts, and by the quality rules.
-std::string analysis_plan_text(const AnalysisPlan& analysis) {
+std::string analysis_plan_text(const Manifest& manifest) {
+  const AnalysisPlan& analysis = questionnaire_of(manifest).analysis;
   std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
   for (const std::string& part :
-       {factorial_plan_text(analysis.factorial), quality_plan(analysis.quality)})
+       {factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
+        quality_plan(analysis.quality)})
     if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
   return plan;
 }
@@ -158,7 +160,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
   files["scales.csv"] = scales_columns.of(questionnaire_scales(manifest).scales).csv;
-  files["analysis-plan.txt"] = analysis_plan_text(questionnaire_of(manifest).analysis);
+  files["analysis-plan.txt"] = analysis_plan_text(manifest);
   files["inputs.csv"] = inputs_csv(manifest);
   for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
   return files;

@@ -86,13 +86,6 @@ std::vector<double> scores_on(const AnswerSet& answer_set, const ContrastCells& 
   return scores;
 }
 
-std::string setting_name(const FactorTable& table, const MatchedSetting& setting) {
-  std::vector<std::string> parts;
-  for (const auto& [factor, level] : setting.levels)
-    parts.push_back(table.factors[factor] + " " + level);
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 /// Whether a contrast is on a scale.
 bool is_asked_on(const PlannedContrast& contrast, const Scale& scale) {
   return contrast.scales.empty() ||
@@ -143,6 +136,13 @@ void correct_contrasts(std::vector<FactorContrast>& all, TestCorrection correcti
 }
 
 }  // namespace
+
+std::string setting_name(const FactorTable& table, const MatchedSetting& setting) {
+  std::vector<std::string> parts;
+  for (const auto& [factor, level] : setting.levels)
+    parts.push_back(table.factors[factor] + " " + level);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
 
 std::vector<FactorContrast> factor_contrasts(const AnswerSet& answer_set) {
   std::vector<FactorContrast> all;

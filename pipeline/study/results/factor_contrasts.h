@@ -36,6 +36,9 @@ struct FactorContrast {
   double wilcoxon_adjusted = 1.0;
 };
 
+/// "actor k, action walk"; empty if there are no other factors.
+std::string setting_name(const FactorTable& table, const MatchedSetting& setting);
+
 /// The planned contrasts, then all pairs of levels of each factor, each on its scales. Contrasts
 /// with fewer than two complete participants are included without tests if they are planned, and
 /// otherwise omitted.

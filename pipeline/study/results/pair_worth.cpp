@@ -14,13 +14,15 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::uint64_t worth_seed = 1;
+constexpr int worth_resamples = 999;
 
-/// The comparisons for one item, with stimuli numbered among those compared.
+/// The comparisons for one item, with conditions numbered among those compared.
 struct ItemComparisons {
-  std::vector<std::size_t> stimuli;  ///< their numbers in the answer set
-  std::vector<std::size_t> people;   ///< those who made comparisons
+  std::vector<std::size_t> compared;  ///< their numbers in ComparedConditions
+  std::vector<std::size_t> people;    ///< those who made comparisons
   std::vector<std::vector<PairCount>> by_person;
   std::vector<PairCount> all;
+  int within_conditions = 0;
 };
 
 using PairCounts = std::map<std::pair<std::size_t, std::size_t>, PairCount>;
@@ -42,23 +44,34 @@ std::vector<PairCount> listed(const PairCounts& counts) {
   return list;
 }
 
-ItemComparisons comparisons_of(const AnswerSet& answer_set, const std::string& item) {
-  std::set<std::size_t> stimuli;
-  for (const AnalysedPreference& answer : answer_set.preferences)
-    if (answer.item == item) stimuli.insert({answer.chosen, answer.other});
-  ItemComparisons result{{stimuli.begin(), stimuli.end()}};
+ItemComparisons comparisons_of(const AnswerSet& answer_set, const ComparedConditions& conditions,
+                               const std::string& item) {
+  const auto condition_of = [&](std::size_t stimulus) { return conditions.of_stimulus[stimulus]; };
+  ItemComparisons result;
+  std::vector<const AnalysedPreference*> answers;
+  std::set<std::size_t> compared;
+  for (const AnalysedPreference& answer : answer_set.preferences) {
+    if (answer.item != item) continue;
+    if (condition_of(answer.chosen) == condition_of(answer.other)) {
+      ++result.within_conditions;
+      continue;
+    }
+    answers.push_back(&answer);
+    compared.insert({condition_of(answer.chosen), condition_of(answer.other)});
+  }
+  result.compared.assign(compared.begin(), compared.end());
   const auto number_of = [&](std::size_t stimulus) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(result.stimuli, stimulus) -
-                                    result.stimuli.begin());
+    return static_cast<std::size_t>(
+        std::ranges::lower_bound(result.compared, condition_of(stimulus)) -
+        result.compared.begin());
   };
   PairCounts all;
   std::map<std::size_t, PairCounts> people;
-  for (const AnalysedPreference& answer : answer_set.preferences) {
-    if (answer.item != item) continue;
-    const std::size_t left = number_of(answer.is_left_chosen ? answer.chosen : answer.other);
-    const std::size_t right = number_of(answer.is_left_chosen ? answer.other : answer.chosen);
-    add_comparison(all, left, right, answer);
-    add_comparison(people[answer.person], left, right, answer);
+  for (const AnalysedPreference* answer : answers) {
+    const std::size_t left = number_of(answer->is_left_chosen ? answer->chosen : answer->other);
+    const std::size_t right = number_of(answer->is_left_chosen ? answer->other : answer->chosen);
+    add_comparison(all, left, right, *answer);
+    add_comparison(people[answer->person], left, right, *answer);
   }
   for (const auto& [person, own] : people) {
     result.people.push_back(person);
@@ -91,7 +104,7 @@ OrderEffect order_of(const PairWorth& worth) {
 }
 
 void fit_model(const ItemComparisons& asked, PairWorth& worth) {
-  const std::size_t stimuli = asked.stimuli.size();
+  const std::size_t stimuli = asked.compared.size();
   const BradleyTerry without = bradley_terry(asked.all, stimuli, OrderEffect::none);
   const BradleyTerry with = bradley_terry(asked.all, stimuli, OrderEffect::estimated);
   worth.order = order_test(with, without);
@@ -129,6 +142,39 @@ std::vector<std::vector<PairCount>> within_group(const ItemComparisons& asked,
   return people;
 }
 
+/// The contrasts of stimuli that have worths in the same group, and so have a value.
+std::vector<WorthContrast*> comparable_contrasts(PairWorth& worth) {
+  std::vector<WorthContrast*> comparable;
+  for (WorthContrast& contrast : worth.contrasts) {
+    std::set<int> groups;
+    bool have_worths = true;
+    for (std::size_t i = 0; i < contrast.of.size(); ++i) {
+      if (contrast.of[i] == 0.0) continue;
+      have_worths = have_worths && !std::isnan(worth.stimuli[i].worth);
+      groups.insert(worth.stimuli[i].group);
+    }
+    if (have_worths && groups.size() == 1) comparable.push_back(&contrast);
+  }
+  return comparable;
+}
+
+double difference_in(const PairWorth& worth, const WorthContrast& contrast) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < contrast.of.size(); ++i)
+    if (contrast.of[i] != 0.0) sum += contrast.of[i] * worth.stimuli[i].worth;
+  return sum;
+}
+
+void set_contrasts_by_answers(const ItemComparisons& asked, PairWorth& worth) {
+  const std::vector<WorthContrast*> contrasts = comparable_contrasts(worth);
+  std::vector<WorthWeights> weights;
+  for (const WorthContrast* contrast : contrasts) weights.push_back(contrast->of);
+  const std::vector<double> errors =
+      contrast_errors(worth.fit, asked.all, order_of(worth), weights);
+  for (std::size_t i = 0; i < contrasts.size(); ++i)
+    set_by_answers(*contrasts[i], difference_in(worth, *contrasts[i]), errors[i]);
+}
+
 /// Intervals from resampled participants, if exactly one group has estimates.
 void resample_people(const ItemComparisons& asked, PairWorth& worth) {
   std::vector<std::size_t> members;
@@ -139,8 +185,15 @@ void resample_people(const ItemComparisons& asked, PairWorth& worth) {
     groups.insert(worth.stimuli[i].group);
   }
   if (groups.size() != 1 || asked.people.size() < 2) return;
+  const std::vector<WorthContrast*> contrasts = comparable_contrasts(worth);
+  std::vector<WorthWeights> weights;
+  for (const WorthContrast* contrast : contrasts) {
+    WorthWeights& own = weights.emplace_back();
+    for (const std::size_t member : members) own.push_back(contrast->of[member]);
+  }
   const WorthBootstrap found =
-      worth_bootstrap(within_group(asked, members), members.size(), order_of(worth), worth_seed);
+      worth_bootstrap(within_group(asked, members), members.size(), order_of(worth), worth_seed,
+                      worth_resamples, weights);
   worth.resamples = found.resamples;
   worth.without_estimate = found.without_estimate;
   worth.order_ends = found.order;
@@ -149,35 +202,59 @@ void resample_people(const ItemComparisons& asked, PairWorth& worth) {
     worth.stimuli[members[i]].by_participants = found.worth[i];
     if (std::isnan(found.worth[i].low)) worth.is_by_participants = false;
   }
+  if (!worth.is_by_participants) return;
+  for (std::size_t i = 0; i < contrasts.size(); ++i)
+    set_by_participants(*contrasts[i], difference_in(worth, *contrasts[i]), found.contrasts[i],
+                        worth.people);
 }
 
-PairWorth worth_of(const AnswerSet& answer_set, const std::string& item) {
+PairWorth worth_of(const AnswerSet& answer_set, const ComparedConditions& conditions,
+                   const std::string& item) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const ItemComparisons asked = comparisons_of(answer_set, item);
+  const ItemComparisons asked = comparisons_of(answer_set, conditions, item);
   PairWorth worth{.item = item, .order_ends = {none, none}};
   worth.people = static_cast<int>(asked.people.size());
-  for (const std::size_t stimulus : asked.stimuli)
-    worth.stimuli.push_back({.stimulus = stimulus, .by_participants = {none, none}});
+  worth.within_conditions = asked.within_conditions;
+  for (const std::size_t condition : asked.compared)
+    worth.stimuli.push_back({.name = conditions.names[condition], .by_participants = {none, none}});
+  worth.contrasts = begun_worth_contrasts(answer_set, conditions, asked.compared, item);
   count_outcomes(asked, worth);
   fit_model(asked, worth);
+  set_contrasts_by_answers(asked, worth);
   resample_people(asked, worth);
-  worth.transitivity = transitivity_violations(asked.all, asked.stimuli.size());
+  worth.transitivity = transitivity_violations(asked.all, asked.compared.size());
   for (std::size_t i = 0; i < asked.people.size(); ++i)
-    if (const auto own = circular_triads(asked.by_person[i], asked.stimuli.size()))
+    if (const auto own = circular_triads(asked.by_person[i], asked.compared.size()))
       worth.triads.push_back({asked.people[i], *own});
   return worth;
+}
+
+void correct_contrasts(std::vector<PairWorth>& worths, ContrastKind kind,
+                       TestCorrection correction) {
+  std::vector<WorthContrast*> members;
+  std::vector<double> p_values;
+  for (PairWorth& worth : worths) {
+    for (WorthContrast& contrast : worth.contrasts) {
+      if (contrast.kind != kind) continue;
+      members.push_back(&contrast);
+      p_values.push_back(contrast.p);
+    }
+  }
+  const std::vector<double> adjusted = corrected(p_values, correction);
+  for (std::size_t i = 0; i < members.size(); ++i) members[i]->adjusted = adjusted[i];
 }
 
 }  // namespace
 
 std::vector<PairWorth> worths_of(const AnswerSet& answer_set) {
+  const ComparedConditions conditions = compared_conditions(answer_set);
   std::set<std::string> items;
   for (const AnalysedPreference& answer : answer_set.preferences) items.insert(answer.item);
   std::vector<PairWorth> worths;
   std::vector<double> equal;
   std::vector<double> order;
   for (const std::string& item : items) {
-    worths.push_back(worth_of(answer_set, item));
+    worths.push_back(worth_of(answer_set, conditions, item));
     equal.push_back(worths.back().equal.p);
     order.push_back(worths.back().order.p);
   }
@@ -187,6 +264,8 @@ std::vector<PairWorth> worths_of(const AnswerSet& answer_set) {
     worths[i].equal_adjusted = equal[i];
     worths[i].order_adjusted = order[i];
   }
+  correct_contrasts(worths, ContrastKind::planned, answer_set.correction);
+  correct_contrasts(worths, ContrastKind::pairwise, answer_set.correction);
   return worths;
 }
 

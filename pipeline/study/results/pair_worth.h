@@ -8,13 +8,14 @@
 #include "pipeline/base/statistics/transitivity.h"
 #include "pipeline/base/statistics/worth_bootstrap.h"
 #include "pipeline/study/results/answer_set.h"
+#include "pipeline/study/results/worth_contrasts.h"
 
 namespace mien::pipeline {
 
-/// What comparisons say about one stimulus.
+/// What comparisons say about one stimulus, or about all stimuli of one condition.
 struct StimulusWorth {
-  std::size_t stimulus = 0;
-  int chosen = 0;  ///< number of comparisons in which it was chosen
+  std::string name;  ///< ComparedConditions::names
+  int chosen = 0;    ///< number of comparisons in which it was chosen
   int other_chosen = 0;
   int ties = 0;
   WinRecord record = WinRecord::estimated;
@@ -34,14 +35,16 @@ struct ParticipantTriads {
   CircularTriads triads;
 };
 
-/// Worths of all stimuli that were compared for one item, by the model of Bradley and Terry with
-/// ties and order effect (bradley_terry.h).
+/// Worths of all stimuli, or of all conditions (ComparedConditions), that were compared for one
+/// item, by the model of Bradley and Terry with ties and order effect (bradley_terry.h).
 struct PairWorth {
   std::string item;
   int people = 0;
   int comparisons = 0;
   int ties = 0;
+  int within_conditions = 0;           ///< further comparisons, of two stimuli of one condition
   std::vector<StimulusWorth> stimuli;  ///< in the order of the manifest
+  std::vector<WorthContrast> contrasts;
   /// Whether the model has an order effect. It has none if it cannot be determined, for example if
   /// each pair was always shown with the same stimulus on the left.
   bool has_order = false;
@@ -73,7 +76,8 @@ inline constexpr int fewest_resampled_people = 10;
 /// Reported intervals are those from resampled participants, because several answers of the same
 /// participant are not independent: profile-likelihood intervals are then too short. They are
 /// profile-likelihood intervals if there are fewer than fewest_resampled_people, if some of the
-/// resampled intervals have no finite ends, or if several groups of stimuli have worths.
+/// resampled intervals have no finite ends, or if several groups of stimuli have worths. The same
+/// holds for contrasts, whose intervals are then Wald's instead of profile-likelihood intervals.
 std::vector<PairWorth> worths_of(const AnswerSet& answer_set);
 
 /// Why there is no worth: "always chosen", "never chosen" …; empty if there is one.

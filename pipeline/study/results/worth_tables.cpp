@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "pipeline/study/results/result_rows.h"
 
 namespace mien::pipeline {
@@ -8,8 +11,12 @@ struct WorthRow {
   const AnswerSet& in;
   const PairWorth& all;
   const StimulusWorth& of;
+};
 
-  const ReportedStimulus& stimulus() const { return in.stimuli[of.stimulus]; }
+struct WorthContrastRow {
+  const AnswerSet& in;
+  const PairWorth& all;
+  const WorthContrast& of;
 };
 
 using WorthTestRow = ResultRow<PairWorth>;
@@ -24,11 +31,13 @@ constexpr SharedColumn worth_item_column = {"item", "", "scale or question id",
                                             [](auto& r) { return r.all.item; }};
 
 constexpr auto worth_columns = result_table<WorthRow>(
-    "results/worth.csv", "scale and stimulus of a study of pairs",
+    "results/worth.csv", "scale and stimulus or condition of a study of pairs",
     {worth_item_column,
-     stimulus_column,
-     {"comparisons", "", "comparisons with other stimuli",
-      [](auto& r) { return r.of.comparisons(); }},
+     {"compared", "",
+      "id of the stimulus; if the analysis names factors, a combination of their levels, for all "
+      "stimuli with these levels",
+      [](auto& r) { return r.of.name; }},
+     {"comparisons", "", "comparisons with others", [](auto& r) { return r.of.comparisons(); }},
      {"chosen", "", "comparisons in which it was chosen", [](auto& r) { return r.of.chosen; }},
      {"other_chosen", "", "comparisons in which the other one was chosen",
       [](auto& r) { return r.of.other_chosen; }},
@@ -69,9 +78,13 @@ constexpr auto worth_test_columns = result_table<WorthTestRow>(
     "results/worth_tests.csv", "scale of a study of pairs",
     {{"item", "", "scale or question id", [](auto& r) { return r.of.item; }},
      {"people", "", "participants who compared stimuli", [](auto& r) { return r.of.people; }},
-     {"stimuli", "", "number of stimuli compared", [](auto& r) { return r.of.stimuli.size(); }},
+     {"stimuli", "", "number of stimuli, or conditions, compared",
+      [](auto& r) { return r.of.stimuli.size(); }},
      {"comparisons", "", "number of answers", [](auto& r) { return r.of.comparisons; }},
      {"ties", "", "answers that prefer neither", [](auto& r) { return r.of.ties; }},
+     {"within_conditions", "",
+      "further comparisons, which are left out: of two stimuli of the same condition",
+      [](auto& r) { return r.of.within_conditions; }},
      {"chi_equal", "", "likelihood-ratio statistic of the test that all worths are equal",
       [](auto& r) { return r.of.equal.chi; }},
      {"df_equal", "", "its degrees of freedom", [](auto& r) { return r.of.equal.degrees; }},
@@ -111,6 +124,35 @@ constexpr auto worth_test_columns = result_table<WorthTestRow>(
      {"strong", "", "those that violate strong transitivity",
       [](auto& r) { return r.of.transitivity.strong; }}});
 
+constexpr auto worth_contrast_columns = result_table<WorthContrastRow>(
+    "results/worth_contrasts.csv", "scale and contrast of log-worths of a study of pairs",
+    {worth_item_column,
+     {"kind", "",
+      "planned (stated in the manifest) or pairwise (two stimuli or conditions); p values are "
+      "corrected over all contrasts of a kind, on all scales",
+      [](auto& r) { return word_of(contrast_kind_words, r.of.kind); }},
+     {"contrast", "", "its name", [](auto& r) { return r.of.name; }},
+     {"weights", "", "levels, or stimuli or conditions, with their weights",
+      [](auto& r) { return r.of.weights; }},
+     {"settings", "",
+      "of a planned contrast: combinations of levels of the other factors in which all these "
+      "levels were compared, separated by semicolons; log-worths are averaged over them",
+      [](auto& r) { return fmt::format("{}", fmt::join(r.of.settings, "; ")); }},
+     {"difference", "log-odds", "sum of the log-worths times their weights; empty without worths",
+      [](auto& r) { return r.of.difference; }},
+     {"low", "log-odds", "lower end of its 95 % interval", [](auto& r) { return r.of.ends.low; }},
+     {"high", "log-odds", "upper end", [](auto& r) { return r.of.ends.high; }},
+     {"se", "log-odds", "its standard error", [](auto& r) { return r.of.error; }},
+     {"interval", "",
+      "how interval, standard error and p were determined: participants (bootstrap; Student's t), "
+      "or answers (information matrix, treating all answers as independent; z)",
+      [](auto& r) { return r.all.is_by_participants ? "participants" : "answers"; }},
+     {"statistic", "", "difference / se: t or z", [](auto& r) { return r.of.statistic; }},
+     {"df", "", "degrees of freedom of t; empty for z", [](auto& r) { return r.of.degrees; }},
+     {"p", "", "its two-sided p", [](auto& r) { return p_field(r.of.p); }},
+     {"p_adjusted", "", "p corrected for multiple comparisons",
+      [](auto& r) { return p_field(r.of.adjusted); }}});
+
 constexpr auto triads_columns = result_table<TriadsRow>(
     "results/circular_triads.csv", "scale and participant who compared all stimuli with each other",
     {worth_item_column,
@@ -129,13 +171,16 @@ constexpr auto triads_columns = result_table<TriadsRow>(
 void add_worths(const Results& results, std::vector<WrittenTable>& tables) {
   const AnswerSet& answer_set = results.answer_set;
   std::vector<WorthRow> worths;
+  std::vector<WorthContrastRow> contrasts;
   std::vector<TriadsRow> triads;
   for (const PairWorth& worth : results.worths) {
     for (const StimulusWorth& one : worth.stimuli) worths.push_back({answer_set, worth, one});
+    for (const WorthContrast& one : worth.contrasts) contrasts.push_back({answer_set, worth, one});
     for (const ParticipantTriads& one : worth.triads) triads.push_back({answer_set, worth, one});
   }
   add_table(worth_columns, worths, answer_set.simulated, tables);
   add_results(worth_test_columns, results.worths, answer_set, tables);
+  add_table(worth_contrast_columns, contrasts, answer_set.simulated, tables);
   add_table(triads_columns, triads, answer_set.simulated, tables);
 }
 

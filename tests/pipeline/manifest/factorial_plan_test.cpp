@@ -24,21 +24,23 @@ FactorialPlan planned() {
 }
 
 TEST(FactorialPlan, IsStatedInWords) {
-  EXPECT_EQ(factorial_plan_text(planned()),
+  EXPECT_EQ(factorial_plan_text(planned(), AnalysedAnswers::ratings),
             "Analysis of variance of each scale by the factors actor, emotion within participants "
             "and groups by gender; p values with Greenhouse and Geisser's correction. The mixed "
-            "models have random intercepts of participants and stimuli.\n"
+            "models have random intercepts of participants and, if cells have several stimuli, of "
+            "stimuli.\n"
             "Planned contrasts, tested by paired t tests of the participants' contrast scores:\n"
             "- “sad against the rest” (sad − 0.5 happy − 0.5 angry; at actor a; on sad-happy)\n"
             "- “both” ((−b + a) × (sad − happy))\n");
   FactorialPlan slopes;
   slopes.random_slopes = true;
-  EXPECT_NE(factorial_plan_text(slopes).find("random slopes of the factors for participants"),
+  EXPECT_NE(factorial_plan_text(slopes, AnalysedAnswers::ratings)
+                .find("random slopes of the factors for participants"),
             std::string::npos);
 }
 
 TEST(FactorialPlan, IsASentenceOfAPaper) {
-  EXPECT_EQ(factorial_sentence(planned()),
+  EXPECT_EQ(factorial_sentence(planned(), AnalysedAnswers::ratings),
             "Ratings on each scale were planned to be analysed by a repeated-measures analysis of "
             "variance with the factors actor, emotion within participants and groups by gender, "
             "with p values corrected by Greenhouse and Geisser's method, and by the planned "
@@ -46,9 +48,25 @@ TEST(FactorialPlan, IsASentenceOfAPaper) {
             "sad-happy), “both” ((−b + a) × (sad − happy))");
 }
 
+TEST(FactorialPlan, OfPairsIsOfWorths) {
+  FactorialPlan plan = planned();
+  plan.between = "";
+  EXPECT_EQ(factorial_plan_text(plan, AnalysedAnswers::choices),
+            "Worths of the combinations of the levels of actor and emotion, on each scale.\n"
+            "Planned contrasts of log-worths, tested with resampled participants:\n"
+            "- “sad against the rest” (sad − 0.5 happy − 0.5 angry; at actor a; on sad-happy)\n"
+            "- “both” ((−b + a) × (sad − happy))\n");
+  plan.factors.clear();
+  plan.contrasts.resize(1);
+  EXPECT_EQ(factorial_sentence(plan, AnalysedAnswers::choices),
+            "Choices were planned to be analysed by the Bradley-Terry model of the stimuli, and by "
+            "the planned contrast “sad against the rest” (sad − 0.5 happy − 0.5 angry; at actor a; "
+            "on sad-happy)");
+}
+
 TEST(FactorialPlan, ThatIsEmptySaysNothing) {
-  EXPECT_EQ(factorial_plan_text({}), "");
-  EXPECT_EQ(factorial_sentence({}), "");
+  EXPECT_EQ(factorial_plan_text({}, AnalysedAnswers::ratings), "");
+  EXPECT_EQ(factorial_sentence({}, AnalysedAnswers::ratings), "");
 }
 
 TEST(FactorialPlan, TakesTheVariedFactorsOfRatedStimuli) {

@@ -146,7 +146,9 @@ std::string note_of(const StimulusWorth& one, bool has_groups) {
 
 WorthChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
   WorthChart chart;
-  chart.title = "Worth of the stimuli: " + pair_question(answer_set, worth.item);
+  chart.title = (answer_set.factorial.factors.empty() ? "Worth of the stimuli: "
+                                                      : "Worth of the conditions: ") +
+                pair_question(answer_set, worth.item);
   chart.words = std::string("With 95 % intervals (") +
                 (worth.is_by_participants ? "participants resampled"
                                           : "profile likelihood, answers independent") +
@@ -168,8 +170,7 @@ WorthChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
   };
   std::ranges::stable_sort(sorted, std::ranges::greater{}, rank);
   for (const StimulusWorth* one : sorted)
-    chart.lines.push_back({answer_set.stimuli[one->stimulus].id, note_of(*one, groups > 1),
-                           one->worth, worth.ends_of(*one)});
+    chart.lines.push_back({one->name, note_of(*one, groups > 1), one->worth, worth.ends_of(*one)});
   set_axis(chart);
   return chart;
 }

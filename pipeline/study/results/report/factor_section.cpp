@@ -112,11 +112,6 @@ std::string left_out_html(const Results& results) {
   return html_list("", sentences);
 }
 
-std::string details(const std::string& summary, const std::string& table) {
-  if (table.empty()) return "";
-  return "<details><summary>" + html_escaped(summary) + "</summary>\n" + table + "</details>\n";
-}
-
 constexpr char method[] =
     "Analysis of variance of each scale, with all factors within participants, of the "
     "participants’ means of each cell (type III sums of squares). Each effect is tested with its "
@@ -150,10 +145,10 @@ std::string factor_section_html(const Results& results, const std::string& figur
   if (!results.effects.reason.empty()) html += html_paragraph(results.effects.reason);
   html += html_list("", crossing_sentences(results.answer_set, results.effects.crossing));
   html += left_out_html(results) + effects + figures +
-          details("Means of all cells", cells_table(results));
+          closed_table("Means of all cells", cells_table(results));
   if (!planned.empty() || !pairs.empty()) html += html_paragraph(contrast_method);
   if (!planned.empty()) html += "<h3>Planned contrasts</h3>\n" + planned;
-  return html + details("All pairs of levels", pairs);
+  return html + closed_table("All pairs of levels", pairs);
 }
 
 }  // namespace mien::pipeline

@@ -56,4 +56,9 @@ std::string wide_table(const std::vector<std::string_view>& heads, const std::st
   return html + "</tr></thead>\n<tbody>" + rows + "</tbody></table></div>\n";
 }
 
+std::string closed_table(const std::string& summary, const std::string& table) {
+  if (table.empty()) return "";
+  return "<details><summary>" + html_escaped(summary) + "</summary>\n" + table + "</details>\n";
+}
+
 }  // namespace mien::pipeline

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/study/results/report/html_row.h"
@@ -11,12 +12,17 @@ namespace mien::pipeline {
 
 namespace {
 
+/// Whether worths are of combinations of levels instead of stimuli.
+bool compares_conditions(const Results& results) {
+  return !results.answer_set.factorial.factors.empty();
+}
+
 std::string worth_rows(const AnswerSet& answer_set, const PairWorth& worth) {
   std::string rows;
   for (const StimulusWorth& one : worth.stimuli) {
     const Interval95& ends = worth.ends_of(one);
     rows += HtmlRow()
-                .text(pair_question(answer_set, worth.item), answer_set.stimuli[one.stimulus].id)
+                .text(pair_question(answer_set, worth.item), one.name)
                 .number(one.comparisons(), one.chosen, one.ties, one.worth,
                         interval_text(ends.low, ends.high), one.error,
                         interval_text(one.by_answers.low, one.by_answers.high),
@@ -31,10 +37,11 @@ std::string worth_rows(const AnswerSet& answer_set, const PairWorth& worth) {
 std::string worths_html(const Results& results) {
   std::string rows;
   for (const PairWorth& worth : results.worths) rows += worth_rows(results.answer_set, worth);
-  return wide_table({"<item", "<stimulus", "comparisons", "chosen", "ties", "log-worth",
-                     "95 % interval", "standard error", "95 % interval, answers independent",
-                     "Elo (± SD over orders)", "<group, or why there is no worth"},
-                    rows);
+  return wide_table(
+      {"<item", compares_conditions(results) ? "<condition" : "<stimulus", "comparisons", "chosen",
+       "ties", "log-worth", "95 % interval", "standard error", "95 % interval, answers independent",
+       "Elo (± SD over orders)", "<group, or why there is no worth"},
+      rows);
 }
 
 std::string chi_text(const LikelihoodRatio& test) {
@@ -82,6 +89,31 @@ std::string transitivity_html(const Results& results) {
                     rows);
 }
 
+std::string worth_contrasts_html(const Results& results, ContrastKind kind) {
+  std::string rows;
+  for (const PairWorth& worth : results.worths) {
+    for (const WorthContrast& one : worth.contrasts) {
+      if (one.kind != kind) continue;
+      HtmlRow row;
+      row.text(pair_question(results.answer_set, worth.item), one.name);
+      if (kind == ContrastKind::planned) row.text(one.weights);
+      rows += row.number(one.difference, interval_text(one.ends.low, one.ends.high), one.error,
+                         std::isnan(one.degrees)
+                             ? "z = " + decimal(one.statistic)
+                             : fmt::format("t({:.0f}) = {}", one.degrees, decimal(one.statistic)),
+                         p_text(one.p), p_text(one.adjusted))
+                  .html(one.adjusted < results.answer_set.alpha);
+    }
+  }
+  if (rows.empty()) return "";
+  std::vector<std::string_view> columns = {"<item", "<contrast"};
+  if (kind == ContrastKind::planned) columns.push_back("<weights");
+  for (const char* column : {"difference in log-worth", "95 % interval", "standard error",
+                             "statistic", "p", "p, corrected"})
+    columns.push_back(column);
+  return wide_table(columns, rows);
+}
+
 std::string why_not_by_participants(const PairWorth& worth) {
   if (worth.people < fewest_resampled_people)
     return fmt::format("there are fewer than {} participants", fewest_resampled_people);
@@ -105,6 +137,12 @@ std::vector<std::string> worth_remarks(const Results& results) {
       remarks.push_back(
           fmt::format("{}: the intervals treat all answers as independent, because {}.", question,
                       why_not_by_participants(worth)));
+    if (worth.within_conditions > 0)
+      remarks.push_back(fmt::format("{}: {} of two stimuli of the same condition {} not used.",
+                                    question,
+                                    counted_noun(static_cast<std::size_t>(worth.within_conditions),
+                                                 "further comparison", "further comparisons"),
+                                    worth.within_conditions == 1 ? "is" : "are"));
     if (!worth.has_order)
       remarks.push_back(
           fmt::format("{}: an order effect cannot be determined from these answers and is not "
@@ -116,6 +154,36 @@ std::vector<std::string> worth_remarks(const Results& results) {
 
 std::string worth_paragraph(const std::string& plain) {
   return "<p>" + html_escaped(plain) + "</p>\n";
+}
+
+/// What a condition is, if worths are of conditions.
+std::string conditions_paragraph(const Results& results) {
+  if (!compares_conditions(results)) return "";
+  return worth_paragraph(fmt::format(
+      "The stimuli are compared by their levels of {}: answers about all stimuli with the same "
+      "levels (a condition) are counted together.",
+      fmt::join(results.answer_set.factorial.factors, " and ")));
+}
+
+constexpr char difference_method[] =
+    "Differences are sums of log-worths times their weights; those of planned contrasts are "
+    "averaged "
+    "over the combinations of the other factors’ levels in which all compared levels were "
+    "compared. "
+    "Intervals, standard errors and p (Student’s t with one degree of freedom less than there are "
+    "participants) come from the resampled participants, or, with z, treat all answers as "
+    "independent. p values are corrected over all planned contrasts, and over all pairs, on all "
+    "scales.";
+
+std::string differences_html(const Results& results) {
+  const std::string planned = worth_contrasts_html(results, ContrastKind::planned);
+  const std::string pairs = worth_contrasts_html(results, ContrastKind::pairwise);
+  if (planned.empty() && pairs.empty()) return "";
+  std::string html = "<h3>Differences in log-worth</h3>\n" + worth_paragraph(difference_method);
+  if (!planned.empty()) html += "<h4>Planned contrasts</h4>\n" + planned;
+  return html + closed_table(compares_conditions(results) ? "All pairs of conditions"
+                                                          : "All pairs of stimuli",
+                             pairs);
 }
 
 }  // namespace
@@ -137,8 +205,9 @@ std::string worth_section_html(const Results& results, const std::string& figure
           "the left (of pairs shown in turn, the first) if both are of "
           "equal worth. Elo ratings contain nothing more than the worths and depend on the order "
           "of the comparisons: they are averaged over random orders, and have no intervals.") +
-      html_list("warnings", worth_remarks(results)) + figures + worths_html(results) +
-      "<h3>Equal worth and order effect</h3>\n" + worth_tests_html(results);
+      conditions_paragraph(results) + html_list("warnings", worth_remarks(results)) + figures +
+      worths_html(results) + differences_html(results) + "<h3>Equal worth and order effect</h3>\n" +
+      worth_tests_html(results);
   const std::string transitivity = transitivity_html(results);
   if (!transitivity.empty())
     html += "<h3>Transitivity</h3>\n" +

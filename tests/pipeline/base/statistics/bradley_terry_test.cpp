@@ -55,6 +55,28 @@ TEST(BradleyTerry, MatchesRForCitations) {
   EXPECT_EQ(equal.degrees, 3);
 }
 
+/// Errors of λ1 − λ2 and of (λ1 + λ2)/2 − λn.
+std::vector<double> errors_of_two_contrasts(const std::vector<PairCount>& counts,
+                                            std::size_t stimuli, OrderEffect order) {
+  std::vector<std::vector<double>> contrasts(2, std::vector<double>(stimuli, 0.0));
+  contrasts[0][0] = 1.0;
+  contrasts[0][1] = -1.0;
+  contrasts[1][0] = contrasts[1][1] = 0.5;
+  contrasts[1].back() = -1.0;
+  return contrast_errors(bradley_terry(counts, stimuli, order), counts, order, contrasts);
+}
+
+TEST(BradleyTerry, ErrorsOfContrastsMatchR) {
+  expect_values(errors_of_two_contrasts(citations, 4, OrderEffect::none),
+                {0.102545336, 0.078647003}, "citations");
+  expect_values(errors_of_two_contrasts(baseball, 7, OrderEffect::estimated),
+                {0.337842535, 0.277805947}, "baseball");
+  expect_values(errors_of_two_contrasts(flavours, 9, OrderEffect::none), {0.286818119, 0.226141156},
+                "flavours");
+  expect_values(errors_of_two_contrasts(flavours, 9, OrderEffect::estimated),
+                {0.286953983, 0.395081828}, "flavours with order");
+}
+
 TEST(BradleyTerry, MatchesRForTeamsAtHome) {
   const BradleyTerry fit = bradley_terry(baseball, 7, OrderEffect::estimated);
   ASSERT_TRUE(fit.is_finite);

@@ -130,8 +130,18 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "questionnaire.analysis.factors[1]", "appears twice"},
       {"participants: 4, scales: all, stimuli: {emotion: [sad]}, analysis: {factors: [emotion]}",
        "questionnaire.analysis.factors[0]", "do not differ in \"emotion\""},
-      {"participants: 4, scales: all, trials: pair, analysis: {factors: [actor]}",
-       "questionnaire.analysis.factors", "ratings of single stimuli"},
+      {"participants: 4, scales: all, trials: pair, analysis: {random_slopes: true}",
+       "questionnaire.analysis.random_slopes", "ratings of single stimuli"},
+      {"participants: 4, scales: all, trials: pair, analysis: {factors: [strength]}",
+       "questionnaire.analysis.factors[0]", "unknown factor \"strength\""},
+      {"participants: 4, scales: all, trials: pair, preference: {alike: [actr]}",
+       "questionnaire.preference.alike[0]", "did you mean \"actor\"?"},
+      {"participants: 4, scales: all, trials: pair, stimuli: [a1, b2], preference: {alike: "
+       "[actor]}",
+       "questionnaire.preference.alike", "no two stimuli have equal levels"},
+      {"participants: 4, scales: all, trials: pair, pairs: [[a1, b2]], preference: {alike: "
+       "[actor]}",
+       "questionnaire.preference.alike", "the pairs are listed"},
       {"participants: 4, scales: all, analysis: {between: gender}",
        "questionnaire.analysis.between", "there is no question \"gender\""},
       {"participants: 4, scales: all, demographics: [{id: age, ask: x, answer: number}], analysis: "

@@ -79,6 +79,8 @@ constexpr char with_questions_and_factors[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}]})";
 constexpr char with_crossed_factors[] =
     R"({"questionnaire": {"participants": 4, "scales": "all", "demographics": [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}, {"id": "hand", "ask": "Which?", "answer": ["l", "r"]}]}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
+constexpr char with_crossed_pairs[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "trials": "pair", "demographics": [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}, {"id": "hand", "ask": "Which?", "answer": ["l", "r"]}]}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
 constexpr char with_questions_and_glb[] =
     R"({"questionnaire": {"participants": 4, "scales": "all"}, "output": {"video": ["mp4"], "clips": ["bvh", "glb"]}})";
 
@@ -156,6 +158,7 @@ const Surroundings surroundings[] = {
     {"questionnaire.consent_version", with_questions, R"({"consent": "Yes."})"},
     {"questionnaire.answer.suggest", with_questions, R"({"words": true})"},
     {"questionnaire.display.distance_cm", with_questions, R"({"size": {"degrees": 12}})"},
+    {"questionnaire.preference.alike", with_crossed_pairs, "{}"},
     {"questionnaire.preference.", with_pairs, "{}"},
     {"questionnaire.preference", with_questions, R"({"trials": "pair"})"},
     {"questionnaire.scales.ask",
@@ -465,6 +468,7 @@ const Values chosen_values[] = {
     {"questionnaire.display", R"([{"size": "native"}, {"size": {"cm": 12}}])"},
     {"questionnaire.display.size", R"(["native", {"degrees": 12}])"},
     {"questionnaire.display.distance_cm", "[57, 60]"},
+    {"questionnaire.preference.alike", R"([["actor"], ["mood"]])"},
     {"questionnaire.preference", R"([{"ties": true}, {"strength": true}])"},
     {"questionnaire.answer.suggest", R"([["happy"], ["happy", "sad"]])"},
     {"questionnaire.answer", R"([{"points": 7}, {"slider": true}])"},

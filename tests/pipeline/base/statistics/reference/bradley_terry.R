@@ -87,10 +87,14 @@ report <- function(title, d, n, order) {
   v <- v[keep, keep]
   worth <- c(b[1:m], -sum(b[1:m]))
   error <- sqrt(c(diag(v)[1:m], sum(v[1:m, 1:m])))
+  # Of λ1 − λ2 and of (λ1 + λ2)/2 − λn, which is (λ1 + λ2)/2 + λ1 + … + λm.
+  contrasts <- rbind(c(1, -1, rep(0, m - 2)), c(0.5, 0.5, rep(0, m - 2)) + 1)
+  contrast_errors <- sqrt(diag(contrasts %*% v[1:m, 1:m] %*% t(contrasts)))
   best <- likelihood_of(cells, fit)
   cat("\n== ", title, "\n", sep = "")
   say("worth", worth)
   say("error", error)
+  say("errors of contrasts", contrast_errors)
   if (order) say("order, error", c(b[n], sqrt(v[n, n])))
   if (ties) say("tie, error", c(b[length(b)], sqrt(v[length(b), length(b)])))
   say("log-likelihood", best)

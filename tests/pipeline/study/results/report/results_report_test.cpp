@@ -313,6 +313,27 @@ TEST(ResultsReport, OfPairsNamesNoScriptsAndSaysWhatWasAsked) {
   EXPECT_EQ(page.find("results/pairs.csv"), std::string::npos);
 }
 
+TEST(ResultsReport, HasTheWorthOfConditionsAndTheirPlannedContrasts) {
+  Manifest manifest = all_pairs_study(12);
+  PlannedContrast contrast;
+  contrast.name = "happy against sad";
+  contrast.weights = {{"emotion", {{"happy", 1.0}, {"sad", -1.0}}}};
+  manifest.questionnaire->analysis.factorial = {.factors = {"emotion"}, .contrasts = {contrast}};
+  const auto files = report_on(manifest, answers_to(manifest));
+  const std::string& page = files.at("report.html");
+  EXPECT_NE(page.find("by their levels of emotion"), std::string::npos);
+  EXPECT_NE(page.find("<h4>Planned contrasts</h4>"), std::string::npos);
+  EXPECT_NE(page.find("24 further comparisons of two stimuli of the same condition are not used"),
+            std::string::npos);
+  EXPECT_NE(page.find("<summary>All pairs of conditions</summary>"), std::string::npos);
+  const CsvTable worth = parse_csv(files.at("results/worth.csv"), "worth.csv");
+  ASSERT_EQ(worth.rows.size(), 3u);
+  EXPECT_EQ(worth.rows[0][1].text, "neutral");
+  const CsvTable tests = parse_csv(files.at("results/worth_contrasts.csv"), "contrasts.csv");
+  ASSERT_EQ(tests.rows.size(), 4u);
+  EXPECT_EQ(tests.rows[0][2].text, "happy against sad");
+}
+
 TEST(ResultsReport, HasTheWorthOfComparedStimuli) {
   const Manifest manifest = all_pairs_study(12);
   std::vector<AnswerRow> rows = answers_to(manifest, {{{"happy", "sad-happy"}, 2.0}});
@@ -326,11 +347,12 @@ TEST(ResultsReport, HasTheWorthOfComparedStimuli) {
   const CsvTable worth = parse_csv(files.at("results/worth.csv"), "worth.csv");
   EXPECT_EQ(worth.rows.size(), 5u);
   EXPECT_EQ(parse_csv(files.at("results/worth_tests.csv"), "worth_tests.csv").rows.size(), 1u);
+  EXPECT_EQ(parse_csv(files.at("results/worth_contrasts.csv"), "contrasts.csv").rows.size(), 10u);
+  EXPECT_NE(page.find("<summary>All pairs of stimuli</summary>"), std::string::npos);
   EXPECT_EQ(parse_csv(files.at("results/circular_triads.csv"), "triads.csv").rows.size(), 12u);
   for (const CsvField& column : worth.header)
     EXPECT_NE(files.at("codebook.csv")
-                  .find("results/worth.csv,scale and stimulus of a study of "
-                        "pairs," +
+                  .find("results/worth.csv,scale and stimulus or condition of a study of pairs," +
                         column.text + ","),
               std::string::npos)
         << column.text;
