@@ -111,6 +111,8 @@ class SoundResolver : public FaultList {
     if (named == manifest_.stimuli.end()) {
       add(path, motion::in_quotes(from) + " is not a stimulus",
           motion::did_you_mean(from, stimuli_with_files(manifest_)));
+    } else if (&*named == &stimulus) {
+      add(path, "is this stimulus itself", "name another one, or give the file");
     } else if (!named->audio) {
       add(path, motion::in_quotes(from) + " has no sound", "name a stimulus with audio: file");
     } else if (named->audio->file.empty()) {

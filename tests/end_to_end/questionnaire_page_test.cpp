@@ -486,6 +486,22 @@ TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {
   EXPECT_EQ(checked.at("faults"), json::array());
 }
 
+TEST_F(QuestionnairePage, ShowsPairsInTurnAsLargeAsTheWindowAllows) {
+  std::string text = study_text;
+  text.replace(text.find("  stimuli: [sad, proud]"), 23, "  trials: pair");
+  text.replace(text.find("  reference: usual\n"), 19, "");
+  text.replace(text.find("  practice: [usual]\n  warm_up: 1\n"), 32,
+               "  preference: {shown: in_turn}\n");
+  const fs::path manifest = scratch->write("large-pairs.yaml", text);
+  const fs::path there = scratch->path() / "large-pairs";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-large-pairs").string(), "-o", there.string()}));
+  const json sizes = played("stage_size", there);
+  EXPECT_GT(sizes.at("screen").get<double>(), 0.9 * sizes.at("stage").get<double>());
+  EXPECT_GT(sizes.at("screen").get<double>(), 500.0);
+  EXPECT_EQ(sizes.at("troubles"), json::array());
+}
+
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   const fs::path told = scratch->path() / "serving.txt";
   const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told.string(),
@@ -522,12 +538,14 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   EXPECT_EQ(run.at("troubles"), json::array());
 }
 
-TEST_F(QuestionnairePage, ChoosesByKeysWhereAnswersAreAndTellsFingersNothingOfThem) {
+TEST_F(QuestionnairePage, PlaysByTheSpaceKeyAndChoosesByDigitsWhereverTheFocusIs) {
   const json keys = played("single_keys");
   EXPECT_TRUE(keys.at("shown"));  // the first Enter shows what the second one presses
   EXPECT_EQ(keys.at("is_there"), 2);
-  EXPECT_EQ(keys.at("replayed"), 0);
-  EXPECT_EQ(keys.at("chosen"), 1);
+  EXPECT_EQ(keys.at("replayed"), 1);
+  EXPECT_EQ(keys.at("chosen"), 0);
+  EXPECT_TRUE(keys.at("back"));  // among the answers, once it has been replayed
+  EXPECT_EQ(keys.at("by_digit"), "2");
   EXPECT_NE(keys.at("desktop_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("touched_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("troubles"), json::array());

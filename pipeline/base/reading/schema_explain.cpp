@@ -105,7 +105,8 @@ class Explainer {
     std::string remedy = example_of(node_);
     if (type == "boolean") remedy = "write true or false";
     if (type == "string" && value_.is_primitive() && !value_.is_null())
-      remedy = "put it in quotes: \"" + shown(value_) + "\"";
+      remedy = value_.is_number_float() ? "put it in quotes, exactly as it is written"
+                                        : "put it in quotes: \"" + shown(value_) + "\"";
     add("must be " + named(type) + " but is " + described(value_), remedy);
     return true;
   }

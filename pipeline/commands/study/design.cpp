@@ -233,7 +233,8 @@ std::vector<CommandOption> power_options(DesignCommand& options) {
           .values(3, 3)
           .between(0.0, 1000.0),
       option("--difference", &options.question.difference,
-             "With --power: the difference to be detected, in scale points")
+             "With --power: the difference to be detected, in scale units (most scales go from -2 "
+             "to 2)")
           .needs("--power")
           .positive()
           .with_default(),

@@ -111,9 +111,13 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   if (!run.empty() && run != design.value("design", ""))
     verdict.differences.push_back("answers: given to design " + run +
                                   ", which is not the registered one");
-  verdict.sentence = verdict.differences.empty()
-                         ? fmt::format("The study was run as registered in {}.", frozen)
-                         : fmt::format("The study differs from the one registered in {}:", frozen);
+  const bool are_simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
+  verdict.sentence =
+      verdict.differences.empty()
+          ? (are_simulated ? "The simulated answers are to the study as registered in "
+                           : "The study was run as registered in ") +
+                frozen + "."
+          : fmt::format("The study differs from the one registered in {}:", frozen);
   return verdict;
 }
 

@@ -118,12 +118,13 @@ std::vector<CommandOption> simulation_options(SimulateCommand& options) {
                  "Number of participants (default: as in the manifest)")
               .between(1, 10000),
           option("--participant-sd", &options.people.spread.participant,
-                 "Standard deviation of participants' response bias, in scale points")
+                 "Standard deviation of participants' response bias, in scale units (most scales "
+                 "go from -2 to 2)")
               .formerly("--lean")
               .between(0.0, 1000.0)
               .with_default(),
           option("--residual-sd", &options.people.spread.residual,
-                 "Residual standard deviation of an answer, in scale points")
+                 "Residual standard deviation of an answer, in scale units")
               .formerly("--residual")
               .between(0.0, 1000.0)
               .with_default(),

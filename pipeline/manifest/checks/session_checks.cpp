@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/questionnaire_content.h"
@@ -41,6 +42,38 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
                          trials, checks, failed, failed == 1 ? "" : "s"),
              "use a smaller number, or analysis: {max_failed_checks: 0}");
   }
+  return list.take();
+}
+
+/// Stimuli of the practice that are also in the main part because it has all stimuli.
+std::vector<Fault> practice_warnings(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  FaultList list(manifest.places);
+  if (!asked.stimuli.ids.empty() || !asked.stimuli.levels.empty() || !asked.pairs.empty())
+    return {};
+  for (std::size_t i = 0; i < asked.practice.size(); ++i)
+    list.add(element_path("questionnaire.practice", i),
+             fmt::format("{} is also shown in the main part and analysed there, which has all "
+                         "stimuli",
+                         motion::in_quotes(asked.practice[i])),
+             "if it is only for practice, name those of the main part: stimuli: […]");
+  return list.take();
+}
+
+/// An analysis of variance for which no participant sees every cell.
+std::vector<Fault> factorial_warnings(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  const FactorialPlan& plan = asked.analysis.factorial;
+  if (plan.factors.empty() || analysed_answers(manifest) != AnalysedAnswers::ratings) return {};
+  const std::size_t cells = largest_crossing(design_table(manifest)).cells.size();
+  const auto own = static_cast<std::size_t>(analysed_trials(manifest));
+  if (own >= cells) return {};
+  FaultList list(manifest.places);
+  list.add("questionnaire.analysis.factors",
+           fmt::format("the analysis of variance includes nobody: it needs an answer in each of "
+                       "{} cells, and a participant rates {} stimuli",
+                       cells, own),
+           "raise per_participant, or name fewer factors");
   return list.take();
 }
 
@@ -120,6 +153,8 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   std::vector<Fault> warnings = attention_warnings(manifest);
   append(warnings, quality_warnings(manifest));
   append(warnings, sound_warnings(manifest));
+  append(warnings, practice_warnings(manifest));
+  append(warnings, factorial_warnings(manifest));
   return warnings;
 }
 

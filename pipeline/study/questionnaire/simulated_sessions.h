@@ -25,7 +25,7 @@ StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& fi
 /// scale.
 StatedTruth measured_truth(const Manifest& manifest);
 
-/// Parameters of the responses of simulated participants. Standard deviations are in scale points.
+/// Parameters of the responses of simulated participants. Standard deviations are in scale units.
 struct SimulatedParticipants {
   /// Its `stimulus` is not used: the truth contains the differences between stimuli.
   RatingSpread spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};

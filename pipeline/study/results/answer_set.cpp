@@ -263,6 +263,7 @@ QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>&
   add_failed_attention(result.attention, result.rule, flags);
   const std::string& parameter = asked.analysis.quality.repeated_by;
   if (parameter.empty()) return flags;
+  result.is_repetition_known = choices.session_people.is_known;
   if (!choices.session_people.is_known)
     result.notes.push_back("Repeated participation was not examined: no table has the column " +
                            parameter_column(parameter) + ".");
@@ -290,6 +291,7 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.factorial = asked.analysis.factorial;
   result.scales = questionnaire_scales(manifest).scales;
   result.choices = questionnaire_choices(manifest);
+  result.is_slider = asked.answer.slider;
   result.points = asked.answer.slider ? 11 : asked.answer.points;
   result.rule.max_failed_checks =
       choices.max_failed_checks.value_or(asked.analysis.max_failed_checks);

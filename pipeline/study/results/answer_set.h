@@ -100,8 +100,9 @@ struct AnswerSet {
   FactorialPlan factorial;  ///< as stated in the manifest
   std::vector<Scale> scales;
   std::vector<std::pair<std::string, std::string>>
-      choices;     ///< choices of emotion trials: id, label
-  int points = 5;  ///< number of points of a scale; a slider is divided into 11 points
+      choices;             ///< choices of emotion trials: id, label
+  bool is_slider = false;  ///< scales are answered by sliders
+  int points = 5;          ///< number of points of a scale; a slider is divided into 11 points
   std::vector<AnalysedRating> ratings;
   std::vector<AnalysedChoice> chosen;
   std::vector<AnalysedPreference> preferences;
@@ -111,6 +112,8 @@ struct AnswerSet {
   AttentionRule rule;
   QualityFlags quality;  ///< flags of answers, by index of the rows as read, and of participants
   std::vector<Unfinished> unfinished;
+  /// Whether it is known which participants took part repeatedly, if a quality rule asks for it.
+  bool is_repetition_known = true;
   bool without_unfinished = false;
   std::set<std::string>
       worded_questions;  ///< ids of demographic questions whose answers are not numbers

@@ -50,7 +50,7 @@ struct WithinParticipants {
   int people = 0;
   bool all_equal = false;  ///< at least two participants, and all differences are equal
   /// t, p, dz and gz are NaN if all differences are equal (or there is only one), which may occur
-  /// by chance with few participants and few scale points.
+  /// by chance with few participants and few points of a scale.
   TTest t;
   double dz = 0.0;               ///< Cohen's d_z
   double gz = 0.0;               ///< Hedges' g_z
@@ -64,7 +64,7 @@ struct WithinParticipants {
 
 WithinParticipants within_participants(const std::vector<double>& differences);
 
-/// Tests of a difference between stimuli on one scale. Means are in scale points.
+/// Tests of a difference between stimuli on one scale. Means are in scale units.
 struct Comparison {
   ComparisonFamily family = ComparisonFamily::best_seen;
   std::size_t stimulus = 0;
@@ -101,7 +101,7 @@ struct Comparison {
 std::vector<Comparison> compare(const AnswerSet& answer_set);
 
 /// A comparison of two kinds of motions (modified, acted or neutral) over all settings, on the
-/// scales of the intended emotions, by ratings in scale points from the middle of the scale,
+/// scales of the intended emotions, by ratings in scale units from the middle of the scale,
 /// counted positive towards the intended emotion. A cell is a setting together with an emotion and
 /// a scale. Each participant contributes the mean over the cells in which they rated motions of
 /// both kinds; other cells are excluded.

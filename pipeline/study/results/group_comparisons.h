@@ -32,7 +32,7 @@ std::vector<ParticipantGroups> participant_groups(const ParticipantTable& partic
                                                   const AnswerSet& answer_set);
 
 /// The difference between two groups for a stimulus on a scale: Welch's test of participants'
-/// means. Means are in scale points.
+/// means. Means are in scale units.
 struct GroupComparison {
   std::string question, one, other;
   std::size_t stimulus = 0;

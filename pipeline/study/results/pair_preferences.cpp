@@ -17,19 +17,23 @@ std::string pair_question(const AnswerSet& answer_set, const std::string& item) 
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set) {
   std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
   for (const AnalysedPreference& preference : answer_set.preferences) {
-    if (preference.is_tie) continue;
     const std::size_t one = std::min(preference.chosen, preference.other);
     const std::size_t other = std::max(preference.chosen, preference.other);
     PreferenceCount& count = counts[{preference.item, one, other}];
     count.item = preference.item;
     count.one = one;
     count.other = other;
+    if (preference.is_tie) {
+      ++count.ties;
+      continue;
+    }
     ++count.trials;
     count.for_one += preference.chosen == one ? 1 : 0;
   }
   std::vector<PreferenceCount> all;
   std::vector<double> p_values;
   for (auto& [key, count] : counts) {
+    if (count.trials == 0) continue;
     const ShareInterval interval = wilson(count.for_one, count.trials);
     count.low = interval.low;
     count.high = interval.high;

@@ -15,6 +15,7 @@ struct PreferenceCount {
   std::size_t other = 0;
   int trials = 0;
   int for_one = 0;   ///< number of choices of `one`
+  int ties = 0;      ///< number of answers that prefer neither; not among `trials`
   double low = 0.0;  ///< Wilson's 95 % interval of the share of `one`
   double high = 1.0;
   double p = 1.0;         ///< p of an exact two-sided binomial test of `for_one` against one half

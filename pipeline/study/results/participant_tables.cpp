@@ -8,6 +8,7 @@ using SessionRow = ResultRow<ParticipantSummary>;
 using RetestRow = ResultRow<RetestAnswer>;
 using RetestSummaryRow = ResultRow<RetestSummary>;
 using DemographicRow = ResultRow<DemographicSummary>;
+using FlowRow = ResultRow<FlowStage>;
 using RemarkRow = ResultRow<Remark>;
 using WordRow = ResultRow<WordFrequency>;
 using RuleRow = ResultRow<RuleCount>;
@@ -36,9 +37,12 @@ constexpr ResultColumn<SessionRow> session_list[] = {
     {"dropped_frames", "", "dropped video frames", [](auto& r) { return r.of.dropped_frames; }},
     {"blurs", "", "tab switches", [](auto& r) { return r.of.blurs; }},
     {"constant", "",
-     "1 for straight-lining: three or more answers, all at the same position; included",
+     "1 for straight-lining: three or more answers on scales, all at the same position; included",
      [](auto& r) { return r.of.is_straight_lining; }},
-    {"unfinished", "", "1 if the participant answered fewer trials than planned",
+    {"unfinished", "",
+     "1 if the participant answered fewer trials than planned; whether the last page was reached "
+     "is "
+     "in the table of participants",
      [](auto& r) { return r.of.is_unfinished; }}};
 
 constexpr auto session_columns =
@@ -61,11 +65,11 @@ constexpr auto rule_columns = result_table<RuleRow>(
      {"bound", "", "its value", [](auto& r) { return r.of.bound; }},
      {"flags", "", "what it flags", [](auto& r) { return r.of.words; }},
      {"participants", "", "participants who are flagged, or some of whose answers are",
-      [](auto& r) { return r.of.participants; }},
+      [](auto& r) { return r.of.is_examined ? std::to_string(r.of.participants) : ""; }},
      {"answers", "",
       "answers that are flagged, or whose participant is; without practice, warm-up, attention "
-      "checks and repeated stimuli",
-      [](auto& r) { return r.of.answers; }},
+      "checks and repeated stimuli; both are empty if the rule could not be applied",
+      [](auto& r) { return r.of.is_examined ? std::to_string(r.of.answers) : ""; }},
      {"excluded", "", "1 if the report leaves out what the rule flags",
       [](auto& r) { return r.of.is_excluded; }}});
 
@@ -84,6 +88,13 @@ constexpr auto flag_columns = result_table<FlagRow>(
       [](auto& r) { return r.of.flag.reason; }},
      {"excluded", "", "1 if the report leaves out the answer or participant for it",
       [](auto& r) { return r.of.is_excluded; }}});
+
+constexpr auto flow_columns = result_table<FlowRow>(
+    "results/participant_flow.csv", "stage of participation",
+    {{"stage", "", "what happened; without refusals and withdrawals, of which nothing is kept",
+      [](auto& r) { return r.of.stage; }},
+     {"sessions", "", "number of sessions, or of participants who gave answers",
+      [](auto& r) { return r.of.sessions; }}});
 
 constexpr auto demographics_columns = result_table<DemographicRow>(
     "results/demographics.csv", "question and answer",
@@ -108,12 +119,11 @@ constexpr auto retest_columns = result_table<RetestRow>(
       [](auto& r) { return r.of.first_trial; }},
      {"second_trial", "", "number of the repeated trial, which is not analysed",
       [](auto& r) { return r.of.second_trial; }},
-     {"first", "scale points",
+     {"first", "scale units",
       "first answer, which is analysed; for choices, pairs and words the answer itself",
       [](auto& r) { return r.of.first; }},
-     {"second", "scale points", "answer in the repeated trial",
-      [](auto& r) { return r.of.second; }},
-     {"difference", "scale points", "second minus first; ratings only",
+     {"second", "scale units", "answer in the repeated trial", [](auto& r) { return r.of.second; }},
+     {"difference", "scale units", "second minus first; ratings only",
       [](auto& r) { return r.of.difference ? number_field(*r.of.difference) : ""; }},
      {"equal", "", "1 if both answers are the same", [](auto& r) { return r.of.is_equal(); }}});
 
@@ -128,7 +138,7 @@ constexpr auto retest_summary_columns = result_table<RetestSummaryRow>(
       [](auto& r) { return r.of.equal; }},
      {"share_equal", "0–1", "proportion of repeated answers that are the same as the first",
       [](auto& r) { return 1.0 * r.of.equal / r.of.answers; }},
-     {"mean_absolute_difference", "scale points",
+     {"mean_absolute_difference", "scale units",
       "mean absolute difference between second and first ratings; empty without ratings",
       [](auto& r) { return r.of.mean_difference; }},
      {"retest_r", "-1–1",
@@ -172,6 +182,7 @@ void add_participants(const Results& results, std::vector<WrittenTable>& tables)
     add_results(flagged_session_columns, results.participants, answer_set, tables);
   add_results(rule_columns, results.rule_counts, answer_set, tables);
   add_results(flag_columns, results.quality_flags, answer_set, tables);
+  add_results(flow_columns, results.flow, answer_set, tables);
   add_results(demographics_columns, demographics_of(results.demographics, answer_set), answer_set,
               tables);
   add_results(retest_columns, results.retest_answers, answer_set, tables);

@@ -20,13 +20,17 @@ void add_trials(ParticipantSummary& summary, const std::vector<AnswerRow>& rows,
                 const std::vector<std::size_t>& own, const QualityFlags& quality) {
   std::set<std::pair<std::string, int>> met;
   std::set<std::string> values;
+  int on_scale = 0;
   std::vector<double> times;
   for (const std::size_t index : own) {
     const AnswerRow* row = &rows[index];
     summary.flagged_answers += quality.of_answer(index).empty() ? 0 : 1;
     if (row->counts() && !quality.leaves_out(index)) {
       ++summary.answers;
-      values.insert(row->value_raw);
+      if (!row->pole_left.empty()) {
+        ++on_scale;
+        values.insert(row->value_raw);
+      }
       if (row->rt_ms) times.push_back(*row->rt_ms);
     }
     if (!met.emplace(row->session, row->trial).second) continue;
@@ -36,7 +40,7 @@ void add_trials(ParticipantSummary& summary, const std::vector<AnswerRow>& rows,
   }
   summary.trials = static_cast<int>(met.size());
   summary.median_rt_ms = median_of(times);
-  summary.is_straight_lining = summary.answers >= 3 && values.size() == 1;
+  summary.is_straight_lining = on_scale >= 3 && values.size() == 1;
 }
 
 void add_numbers(const std::string& question, const std::vector<double>& numbers,

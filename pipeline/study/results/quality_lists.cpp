@@ -76,10 +76,12 @@ std::vector<RuleCount> rule_counts(const AnswerSet& answer_set, std::vector<Answ
   separate_participants(rows);
   std::vector<RuleCount> counts;
   for (const StatedRule& one : stated) {
-    counts.push_back({.rule = std::string(word_of(quality_rule_words, one.rule)),
-                      .bound = one.bound,
-                      .words = one.flagged,
-                      .is_excluded = is_excluding(one.rule, quality.rules)});
+    counts.push_back(
+        {.rule = std::string(word_of(quality_rule_words, one.rule)),
+         .bound = one.bound,
+         .words = one.flagged,
+         .is_excluded = is_excluding(one.rule, quality.rules),
+         .is_examined = one.rule != QualityRule::repeated_by || answer_set.is_repetition_known});
     count_flagged(one.rule, quality, rows, counts.back());
   }
   counts.push_back({.words = "all rules together",

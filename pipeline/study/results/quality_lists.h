@@ -26,6 +26,7 @@ struct RuleCount {
   int participants = 0;  ///< participants who are flagged or some of whose answers are
   int answers = 0;  ///< answers to analysed trials that are flagged or of a flagged participant
   bool is_excluded = false;  ///< the analysis leaves out what the rule flags
+  bool is_examined = true;   ///< otherwise the numbers mean nothing
 };
 
 /// All flags, sorted by participant, those of the participant first, then by trial. Empty if no

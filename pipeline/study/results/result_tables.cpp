@@ -42,19 +42,19 @@ constexpr auto means_columns = result_table<MeanRow>(
      setting_column,
      scale_column,
      {"answers", "", "number of answers", [](auto& r) { return r.of.answers; }},
-     {"mean", "scale points", "mean rating; positive towards the high pole of the scale",
+     {"mean", "scale units", "mean rating; positive towards the high pole of the scale",
       [](auto& r) { return r.of.mean; }},
-     {"sd", "scale points", "standard deviation (n − 1)", [](auto& r) { return r.of.deviation; }},
-     {"low", "scale points", "lower end of the 95 % interval of the mean (Student)",
+     {"sd", "scale units", "standard deviation (n − 1)", [](auto& r) { return r.of.deviation; }},
+     {"low", "scale units", "lower end of the 95 % interval of the mean (Student)",
       [](auto& r) { return r.of.low; }},
-     {"high", "scale points", "upper end of that interval", [](auto& r) { return r.of.high; }},
-     {"median", "scale points", "median rating", [](auto& r) { return r.of.median; }}});
+     {"high", "scale units", "upper end of that interval", [](auto& r) { return r.of.high; }},
+     {"median", "scale units", "median rating", [](auto& r) { return r.of.median; }}});
 
 constexpr auto histogram_columns = result_table<HistogramBar>(
     "results/histograms.csv", "stimulus, scale and position on the scale",
     {stimulus_column,
      scale_column,
-     {"value", "scale points", "position on the scale", [](auto& r) { return r.value; }},
+     {"value", "scale units", "position on the scale", [](auto& r) { return r.value; }},
      {"answers", "", "number of answers at that position", [](auto& r) { return r.count; }},
      {"share", "0–1", "proportion of the answers about the stimulus on this scale",
       [](auto& r) { return 1.0 * r.count / r.summary.of.answers; }}});
@@ -161,6 +161,7 @@ constexpr auto preference_columns = result_table<PreferenceRow>(
       [](auto& r) { return r.of.trials; }},
      {"for_one", "", "number of choices of the stimulus in column one",
       [](auto& r) { return r.of.for_one; }},
+     {"ties", "", "number of answers that prefer neither", [](auto& r) { return r.of.ties; }},
      {"share", "0–1", "proportion of choices of the stimulus in column one",
       [](auto& r) { return 1.0 * r.of.for_one / r.of.trials; }},
      {"low", "0–1", "lower end of Wilson's 95 % interval", [](auto& r) { return r.of.low; }},

@@ -11,6 +11,7 @@
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/pair_worth.h"
+#include "pipeline/study/results/participant_flow.h"
 #include "pipeline/study/results/participants.h"
 #include "pipeline/study/results/quality_lists.h"
 #include "pipeline/study/results/retest.h"
@@ -39,6 +40,7 @@ struct Results {
   std::vector<RuleCount> rule_counts;  ///< empty without quality rules, like the flags
   std::vector<ListedFlag> quality_flags;
   std::vector<GroupComparison> groups;  ///< comparisons of groups by demographic answers
+  std::vector<FlowStage> flow;          ///< empty if no table of participants was given
   ParticipantTable demographics;        ///< empty if no table of participants was given
 };
 
@@ -58,6 +60,7 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.preferences = preferences_of(results.answer_set);
   results.worths = worths_of(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
+  results.flow = participant_flow(results.answer_set, demographics);
   results.participants = participant_summaries(results.answer_set, rows);
   results.retest_answers = retest_answers_of(results.answer_set, rows);
   results.retest_summaries = retest_summaries_of(results.retest_answers);

@@ -23,7 +23,7 @@ struct RetestAnswer {
   int second_trial = 0;
   std::string first;   ///< first answer: value in the scale's own range, choice, or chosen stimulus
   std::string second;  ///< second answer
-  std::optional<double> difference;  ///< second − first, scale points; only for ratings
+  std::optional<double> difference;  ///< second − first, scale units; only for ratings
 
   bool is_equal() const;
 };
@@ -35,7 +35,7 @@ struct RetestSummary {
   bool is_excluded = false;
   int answers = 0;               ///< number of questions answered twice
   int equal = 0;                 ///< number with equal answers
-  double mean_difference = 0.0;  ///< mean of |second − first|, scale points; NaN without ratings
+  double mean_difference = 0.0;  ///< mean of |second − first|, scale units; NaN without ratings
   Correlation retest;            ///< between first and second ratings; NaN if there are too few
 };
 

@@ -8,7 +8,7 @@
 
 namespace mien::pipeline {
 
-/// Statistics of the answers about one stimulus on one scale, in scale points.
+/// Statistics of the answers about one stimulus on one scale, in scale units.
 struct RatingSummary {
   std::size_t stimulus = 0;
   std::size_t scale = 0;

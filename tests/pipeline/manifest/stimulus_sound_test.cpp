@@ -220,6 +220,9 @@ TEST_F(Sounds, AreRefusedWhereTheyAreNamedWrong) {
                           "  - {id: c, weights: {sad: 1}, audio: {from: b}}\n"),
             "7 stimuli[2].audio.from: \"b\" takes its sound from another stimulus; name that one: "
             "\"first\"\n");
+  EXPECT_EQ(
+      faults_of(a + "  - {id: b, weights: {sad: 1}, audio: {from: b}}\n"),
+      "6 stimuli[1].audio.from: is this stimulus itself; name another one, or give the file\n");
   EXPECT_EQ(faults_of(a + "  - {id: b, weights: {sad: 1}, audio: {from: first, gain: 2}}\n"),
             "6 stimuli[1].audio.gain: belongs to the sound of \"first\"; set it there, or give the "
             "file\n");

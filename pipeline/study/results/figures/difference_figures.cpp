@@ -14,7 +14,7 @@ namespace {
 BarChart differences_chart(const AnswerSet& answer_set, const std::string& title) {
   BarChart chart;
   chart.title = title;
-  chart.axis = "Scale points towards the intended emotion";
+  chart.axis = "Scale units towards the intended emotion";
   chart.whiskers = fmt::format("95 %; * p < {:g}, corrected", answer_set.alpha);
   chart.one_colour = true;
   chart.decimals = 2;

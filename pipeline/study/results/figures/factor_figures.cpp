@@ -220,7 +220,7 @@ CellChart cell_chart(const Results& results, const ScaleEffects& effects) {
   CellChart chart;
   chart.title = fmt::format("Means by {}: {} – {}", fmt::join(names, " × "), scale.low, scale.high);
   chart.words = fmt::format(
-      "Scale points, higher: more {}; 95 % intervals within participants; {}", scale.high,
+      "Scale units, higher: more {}; 95 % intervals within participants; {}", scale.high,
       counted_noun(static_cast<std::size_t>(effects.people), "participant", "participants"));
   chart.across = names[factors.across];
   chart.levels = crossing.levels[factors.across];

@@ -36,8 +36,8 @@ std::string effects_table(const Results& results) {
                       interval_text(effect.test.partial_eta_low, effect.test.partial_eta_high, 3),
                       decimal(effect.test.generalized_eta, 3))
               .html(effect.adjusted < answer_set.alpha);
-  return wide_table({"<scale", "<effect", "n", "F", "df", "ε", "p, sphericity", "p", "p, corrected",
-                     "partial η²", "90 % interval", "generalized η²"},
+  return wide_table({"<scale", "<effect", "n", "F", "df", "ε", "p, uncorrected", "p",
+                     "p, corrected", "partial η²", "90 % interval", "generalized η²"},
                     rows);
 }
 

@@ -250,10 +250,10 @@ std::string preferences_html(const Results& results) {
     rows += HtmlRow()
                 .text(results.answer_set.stimuli[c.one].id, results.answer_set.stimuli[c.other].id,
                       pair_question(results.answer_set, c.item))
-                .number(fmt::format("{} of {}", c.for_one, c.trials), share_interval(c.low, c.high),
-                        p_text(c.p), p_text(c.adjusted))
+                .number(fmt::format("{} of {}", c.for_one, c.trials), c.ties,
+                        share_interval(c.low, c.high), p_text(c.p), p_text(c.adjusted))
                 .html(c.adjusted < results.answer_set.alpha);
-  return wide_table({"<first", "<second", "<item", "first chosen", "95 % interval (Wilson)",
+  return wide_table({"<first", "<second", "<item", "first chosen", "ties", "95 % interval (Wilson)",
                      "p, binomial", "p, corrected"},
                     rows);
 }

@@ -14,7 +14,8 @@ std::string rules_html(const Results& results) {
     rows += HtmlRow()
                 .text(count.rule.empty() ? "" : count.rule + ": " + count.bound)
                 .prose(count.words)
-                .number(count.participants, count.answers)
+                .number(count.is_examined ? std::to_string(count.participants) : "not examined",
+                        count.is_examined ? std::to_string(count.answers) : "–")
                 .html();
   return wide_table({"<rule", "<flags", "participants", "answers"}, rows);
 }

@@ -140,8 +140,9 @@ struct DesignInR {
   /// stimuli are named in a comment.
   std::string contrasts() const {
     const Crossing& crossing = results.effects.crossing;
-    std::string list, omitted;
-    if (!is_crossed) return "planned <- list()\n";
+    std::string list, omitted, scales;
+    if (!is_crossed)
+      return std::string("planned <- list()\nplanned_scales <- list()\n") + planned_on;
     for (const PlannedContrast& contrast : results.answer_set.factorial.contrasts) {
       const auto matched =
           matched_settings(results.answer_set.factors, contrast.weights, contrast.at);
@@ -164,11 +165,25 @@ struct DesignInR {
       }
       list += fmt::format("{}\n  {} = c({:.15g})", list.empty() ? "" : ",",
                           quoted_in_r(contrast.name), fmt::join(weights, ", "));
+      if (!contrast.scales.empty())
+        scales += fmt::format("{}\n  {} = {}", scales.empty() ? "" : ",",
+                              quoted_in_r(contrast.name), vector_in_r(contrast.scales));
     }
-    return omitted + "planned <- list(" + list + ")\n";
+    if (!scales.empty())
+      scales = "# The scales of contrasts that are not planned for all.\nplanned_scales <- list(" +
+               scales + ")\n";
+    else
+      scales = "planned_scales <- list()\n";
+    return omitted + "planned <- list(" + list + ")\n" + scales + planned_on;
   }
 
  private:
+  static constexpr char planned_on[] =
+      "planned_on <- function(scale)\n"
+      "  Filter(length, sapply(names(planned), function(name)\n"
+      "    if (is.null(planned_scales[[name]]) || scale %in% planned_scales[[name]])\n"
+      "      planned[[name]], simplify = FALSE))\n";
+
   void use_all_stimuli() {
     const auto add = [&](const char* name, auto level_of_stimulus) {
       std::vector<std::string> column, levels;
@@ -282,8 +297,8 @@ for (scale in unique(counted$item)) {{
     cat("\nSINGULAR FIT: some variance of the random effects is estimated as 0, or a correlation",
         "as 1. Simplify the random effects, and report that.\n")
   print(anova(model, type = 3))  # Satterthwaite's degrees of freedom
-  if (length(planned) > 0)  # p values not corrected for multiple comparisons
-    print(contrast(emmeans(model, {specs}, lmer.df = "satterthwaite"), planned, adjust = "none"))
+  if (length(planned_on(scale)) > 0)  # p values not corrected for multiple comparisons
+    print(contrast(emmeans(model, {specs}, lmer.df = "satterthwaite"), planned_on(scale), adjust = "none"))
 }}
 )script",
                      fmt::arg("fixed", design.fixed()), fmt::arg("random", design.random()),
@@ -309,8 +324,11 @@ for (scale in unique(counted$item)) {{
   if (any(smallest < 1e-6))
     cat("\nSINGULAR FIT: the variance of", names(smallest)[smallest < 1e-6], "is estimated as 0.",
         "Simplify the random effects, and report that.\n")
-  if (length(planned) > 0)  # log odds; p values not corrected for multiple comparisons
-    print(contrast(emmeans(model, {specs}), planned, adjust = "none"))
+  if (length(planned_on(scale)) > 0)  # log odds; p values not corrected for multiple comparisons
+    tryCatch(
+      print(contrast(emmeans(model, {specs}), planned_on(scale), adjust = "none")),
+      error = function(e) cat("\nNo contrasts, because the model is not determined by these",
+                              "answers:", conditionMessage(e), "\n"))
 }}
 )script",
                      fmt::arg("fixed", design.fixed()), fmt::arg("random", design.random()),
@@ -329,8 +347,8 @@ for (scale in unique(counted$item)) {{
   model <- aov_ez("participant", "value", d, within = {within},{between} fun_aggregate = mean,
                   anova_table = list(es = c("pes", "ges"), correction = "GG"))
   print(model$anova_table)
-  if (length(planned) > 0)  # p values not corrected for multiple comparisons
-    print(contrast(emmeans(model, {specs}, model = "multivariate"), planned, adjust = "none"))
+  if (length(planned_on(scale)) > 0)  # p values not corrected for multiple comparisons
+    print(contrast(emmeans(model, {specs}, model = "multivariate"), planned_on(scale), adjust = "none"))
 }}
 )script",
                      fmt::arg("within", vector_in_r(design.factors)),

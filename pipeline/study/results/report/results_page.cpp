@@ -86,6 +86,24 @@ std::string thesis_html(const std::string& body) {
          "content of motion capture data</i>, Aalto University, 2010.</p>\n";
 }
 
+/// What a unit of the ratings is, if all scales have the same range.
+std::string units_html(const AnswerSet& answer_set) {
+  if (answer_set.ratings.empty()) return "";
+  const Scale& first = answer_set.scales.front();
+  const auto has_same_range = [&](const Scale& scale) {
+    return scale.least == first.least && scale.most == first.most;
+  };
+  if (!std::ranges::all_of(answer_set.scales, has_same_range)) return "";
+  const double range = first.most - first.least;
+  return fmt::format(
+      "<p class=\"quiet\">Ratings are in scale units: {} at the low end, {} at the high end. "
+      "{}.</p>\n",
+      decimal(first.least, 0), decimal(first.most, 0),
+      answer_set.is_slider ? fmt::format("A slider’s length is {:g} units", range)
+                           : fmt::format("Neighbouring points of the {} shown differ by {:.3g}",
+                                         answer_set.points, range / (answer_set.points - 1)));
+}
+
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const AnswerSet& answer_set = results.answer_set;
   std::string html = "<h1>" + html_escaped(answer_set.title) + "</h1>\n";
@@ -99,6 +117,7 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   html += answer_set.design.empty()
               ? ".</p>\n"
               : ". Design hash: " + html_escaped(answer_set.design) + ".</p>\n";
+  html += units_html(answer_set);
   if (!frozen.sentence.empty())
     html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
   return html;
@@ -114,9 +133,24 @@ std::string inattentive_html(const AnswerSet& answer_set) {
   return names.empty() ? "" : paragraph("Excluded:") + html_list("", names);
 }
 
+/// How many took part, and where the others left.
+std::string flow_html(const Results& results) {
+  std::string rows;
+  for (const FlowStage& one : results.flow)
+    rows += HtmlRow().text(one.stage).number(one.sessions).html();
+  if (rows.empty()) return "";
+  return wide_table({"<participation", "sessions"}, rows) +
+         "<p class=\"quiet\">Of who refuses or withdraws nothing is kept; their numbers are on the "
+         "experimenter’s page of a served study.</p>\n";
+}
+
 std::string people_html(const Results& results) {
   const AnswerSet& answer_set = results.answer_set;
-  std::string html = paragraph(people_sentence(answer_set) + ". " + to_sentence(answer_set.rule));
+  const bool has_checks = std::ranges::any_of(answer_set.attention,
+                                              [](const Attention& own) { return own.checks > 0; });
+  std::string html = paragraph(people_sentence(answer_set) + "." +
+                               (has_checks ? " " + to_sentence(answer_set.rule) : ""));
+  html += flow_html(results);
   html += results.rule_counts.empty() ? inattentive_html(answer_set) : flagged_people_html(results);
   html += html_list("", unfinished_sentences(answer_set)) + html_list("", answer_set.notes);
   html += part("Demographics", demographics_html(results));
@@ -217,7 +251,7 @@ std::string differences_html(const Results& results, const PageParts& parts) {
              "How strongly the intended emotion is perceived. A setting is a combination of "
              "levels of all factors except “made”, “emotion”, “strength”, “example” and “clip”. "
              "For each kind of comparison, the first table is over all settings (none for the "
-             "highest-rated unmodified video); its values are scale points from the middle of the "
+             "highest-rated unmodified video); its values are scale units from the middle of the "
              "scale towards the emotion. It is based on each participant’s means over the settings "
              "and emotions "
              "for which the participant rated both motions compared (matched pairs: their number, "
@@ -302,7 +336,7 @@ std::string retest_html(const Results& results) {
   if (table.empty()) return "";
   return paragraph(
              "Consistency of answers to videos shown twice. All other results use the first answer "
-             "only. Differences are in scale points; the correlation is Pearson’s, of first with "
+             "only. Differences are in scale units; the correlation is Pearson’s, of first with "
              "second ratings, treated as independent. Excluded participants are listed but not "
              "part of “all”. Attention checks, which require a particular answer, are reported "
              "under Participants.") +

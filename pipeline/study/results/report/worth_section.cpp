@@ -48,6 +48,14 @@ std::string chi_text(const LikelihoodRatio& test) {
   return std::isnan(test.chi) ? "–" : fmt::format("{} ({})", decimal(test.chi), test.degrees);
 }
 
+/// By resampled participants or, as the intervals of the worths then are, for independent answers.
+Interval95 order_interval(const PairWorth& worth) {
+  if (worth.is_by_participants) return worth.order_ends;
+  constexpr double normal = 1.959964;
+  const double margin = normal * worth.fit.order_error;
+  return {worth.fit.order - margin, worth.fit.order + margin};
+}
+
 std::string worth_tests_html(const Results& results) {
   std::string rows;
   for (const PairWorth& worth : results.worths)
@@ -55,7 +63,7 @@ std::string worth_tests_html(const Results& results) {
                 .text(pair_question(results.answer_set, worth.item))
                 .number(worth.people, worth.comparisons, worth.ties, chi_text(worth.equal),
                         p_text(worth.equal.p), p_text(worth.equal_adjusted), worth.fit.order,
-                        interval_text(worth.order_ends.low, worth.order_ends.high),
+                        interval_text(order_interval(worth).low, order_interval(worth).high),
                         chi_text(worth.order), p_text(worth.order.p), p_text(worth.order_adjusted))
                 .html(worth.equal_adjusted < results.answer_set.alpha);
   return wide_table(

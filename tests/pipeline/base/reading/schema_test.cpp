@@ -114,6 +114,9 @@ TEST(Schema, FindsWordsForEveryRule) {
   EXPECT_EQ(told({{"n", 1.5}}), "n: must be a whole number but is 1.5; ");
   EXPECT_EQ(told({{"n", 1}, {"s", ""}}), "s: must not be empty; write a text");
   EXPECT_EQ(told({{"n", 1}, {"s", 5}}), "s: must be text but is 5; put it in quotes: \"5\"");
+  // 1.0 must not become "1".
+  EXPECT_EQ(told({{"n", 1}, {"s", 1.0}}),
+            "s: must be text but is 1; put it in quotes, exactly as it is written");
   EXPECT_EQ(told({{"n", 1}, {"p", "b"}}), "p: \"b\" must be a; ");
   EXPECT_EQ(told({{"n", 1}, {"e", "gren"}}),
             "e: \"gren\" is not one of red, green; did you mean \"green\"?");

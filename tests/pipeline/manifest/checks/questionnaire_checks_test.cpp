@@ -216,6 +216,34 @@ TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
   EXPECT_EQ(warnings("2"), 0u);
 }
 
+TEST(QuestionnaireChecks, WarnOfPracticeThatIsAnalysed) {
+  const auto warned = [](const char* members) {
+    std::string text;
+    for (const Fault& fault : questionnaire_warnings(test::asked_study(5, members)))
+      text += fault.path + ": " + fault.wrong + "\n";
+    return text;
+  };
+  EXPECT_EQ(warned("participants: 4, scales: all, practice: [a1]"),
+            "questionnaire.practice[0]: \"a1\" is also shown in the main part and analysed there, "
+            "which has all stimuli\n");
+  EXPECT_EQ(warned("participants: 4, scales: all, practice: [a1], stimuli: [b2, c3]"), "");
+}
+
+TEST(QuestionnaireChecks, WarnOfAnAnalysisOfVarianceOfNobody) {
+  const auto warned = [](const char* members) {
+    return questionnaire_warnings(test::asked_study(12, members)).size();
+  };
+  EXPECT_EQ(warned("participants: 4, scales: all, analysis: {factors: [emotion]}, "
+                   "per_participant: 2"),
+            1u);
+  EXPECT_EQ(warned("participants: 4, scales: all, analysis: {factors: [emotion]}, "
+                   "per_participant: 3"),
+            0u);
+  EXPECT_EQ(warned("participants: 4, scales: all, trials: pair, per_participant: 2, analysis: "
+                   "{factors: [emotion]}"),
+            0u);
+}
+
 TEST(QuestionnaireChecks, TakeTextsAndScalesFromFiles) {
   const test::TemporaryFolder folder;
   write_file(folder.path() / "own.scales.yaml",

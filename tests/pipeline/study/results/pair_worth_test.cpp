@@ -103,8 +103,26 @@ TEST(PairWorth, CountsTiesForNeither) {
   EXPECT_EQ(worth.stimuli[1].ties, 0);
   EXPECT_TRUE(std::isfinite(worth.fit.tie));
   EXPECT_TRUE(worth.triads.empty());
-  // They are no choices: the pair is not in the table of choices.
+  // They are no choices: without others, the pair is not in the table of choices.
   EXPECT_EQ(preferences_of(collect_answers(manifest, rows)).size(), choices_before.size() - 1);
+}
+
+TEST(PairWorth, CountsTiesBesideChoices) {
+  const Manifest manifest = all_pairs_study(12);
+  std::vector<AnswerRow> rows = answers_to(manifest, truth_of_pairs);
+  const auto tied = std::ranges::find_if(rows, [](const AnswerRow& row) {
+    return row.counts() && (row.stimulus == "walk" || row.against == "walk") &&
+           (row.stimulus == "sad" || row.against == "sad");
+  });
+  set_answer(*tied, "tie");
+  int pairs = 0;
+  for (const PreferenceCount& count : preferences_of(collect_answers(manifest, rows))) {
+    const bool is_pair = count.one == 0 && count.other == 3;  // walk and sad
+    EXPECT_EQ(count.ties, is_pair ? 1 : 0);
+    EXPECT_EQ(count.trials, is_pair ? 11 : 12);
+    pairs += is_pair ? 1 : 0;
+  }
+  EXPECT_EQ(pairs, 1);
 }
 
 TEST(PairWorth, RefusesATieThatWasNotGiven) {

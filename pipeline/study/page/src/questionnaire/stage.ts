@@ -194,7 +194,7 @@ export class Stage {
     this.firstEnd ??= this.now();
     this.state = "covered";
     this.showCover();
-    this.showFrame(0);  // which is played next
+    this.showFrame(-1);
     this.told.ended();
   }
 

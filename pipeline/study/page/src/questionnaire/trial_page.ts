@@ -78,7 +78,7 @@ class TrialAtWork {
     if (shown.length) {
       this.stage = new Stage(shown, experiment.settings, texts, this.began, {
         began: () => { if (experiment.settings.watch === "free") this.open(); },
-        ended: () => this.open(),
+        ended: () => this.ended(),
       });
       page.append(this.stage.root);
     }
@@ -148,6 +148,18 @@ class TrialAtWork {
     this.asked[0]?.focus();
   }
 
+  private ended(): void {
+    this.open();
+    // While it was replayed, the button that had the focus was hidden.
+    if (!this.page.contains(document.activeElement)) this.focusMissing();
+  }
+
+  private focusMissing(): void {
+    const [first] = this.missing();
+    if (first) first.focus();
+    else this.next.focus();
+  }
+
   private answered(asked: Asked, isKey: boolean): void {
     if (!this.missing().length) this.note.textContent = "";
     if (!isKey) return;
@@ -158,21 +170,27 @@ class TrialAtWork {
 
   private missing = (): Asked[] => this.asked.filter((one) => one.answer() === null);
 
-  /** Space plays where nothing else has the focus; where answers are, it chooses. Enter confirms. */
+  /**
+   * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing. Digits
+   * choose an answer to the first question without one, wherever the focus is. Enter confirms.
+   */
   private pressed = (event: KeyboardEvent): void => {
+    if (document.querySelector("dialog[open]")) return;
     const at = event.target as HTMLElement;
     const writes = at instanceof HTMLTextAreaElement ||
       (at instanceof HTMLInputElement && at.type === "text");
     const isButton = at instanceof HTMLButtonElement;
-    if (event.key === " " && !isButton && !(at instanceof HTMLInputElement) && !writes) {
+    const isModified = event.ctrlKey || event.altKey || event.metaKey;
+    if (event.key === " " && this.stage && !isButton && !writes) {
       event.preventDefault();
-      this.stage?.play();
+      this.stage.play();
+    } else if (/^[1-9]$/.test(event.key) && !isModified && this.isOpen && !writes && !this.answers.contains(at)) {
+      const [first] = this.missing();
+      first?.root.dispatchEvent(new KeyboardEvent("keydown", { key: event.key }));
     } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
       if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();
-      const [first] = this.missing();
-      if (first) first.focus();
-      else this.next.focus();
+      this.focusMissing();
     }
   };
 

@@ -587,6 +587,8 @@ async function singleKeys() {
   const desktopText = await page.locator("main").innerText();
   let replayed = null;
   let chosen = null;
+  let back = null;
+  let byDigit = null;
   await take(page, { each: async (sight, number) => {
     if (sight !== "trial" || number !== 1 || replayed !== null) return false;
     await page.locator(".play").click();
@@ -595,14 +597,28 @@ async function singleKeys() {
     await page.keyboard.press("Space");
     replayed = await page.locator(".stage.playing").count();
     chosen = await page.locator("fieldset.asked input:checked").count();
+    await page.waitForFunction(() => !document.querySelector(".stage.playing"));
+    back = await page.evaluate(() => document.activeElement.matches('input[type="radio"]'));
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press("2");
+    byDigit = await page.locator("fieldset.asked").first().locator("input:checked").getAttribute("value");
     await page.reload();
     return true;
   } });
   const touched = await open(`${onDisk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
   await touched.page.locator(".page .buttons .main").click();
   await touched.page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
-  return { shown, is_there: isThere, replayed, chosen, desktop_text: desktopText,
+  return { shown, is_there: isThere, replayed, chosen, back, by_digit: byDigit,
+    desktop_text: desktopText,
     touched_text: await touched.page.locator("main").innerText(), troubles };
+}
+
+/** How large a stimulus is, and the stage that it is on. */
+async function stageSize() {
+  const { page, troubles } = await open(`${onDisk}?participant=p001`);
+  await takeToTrial(page);
+  const widthOf = (css) => page.locator(css).first().evaluate((one) => one.getBoundingClientRect().width);
+  return { screen: await widthOf(".screen"), stage: await widthOf(".stage"), troubles };
 }
 
 /** The page of thanks is loaded again. */
@@ -700,7 +716,8 @@ async function takeToTrial(page) {
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
-  served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, thanks_again: thanksAgain, crowded, heard };
+  served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
+  thanks_again: thanksAgain, crowded, heard };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);
