@@ -230,9 +230,13 @@ TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
   EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"), table);
   for (const char* name : {"broken.csv", "foreign.csv"})
     fs::remove(folder.path() / "exported" / name);
-  folder.write("exported/sessions.csv", "participant,trials\np001,6\n");
+  fs::create_directory(folder.path() / "exported/results");
+  folder.write("exported/results/sessions.csv", "participant,trials\np001,6\n");
+  folder.write("exported/report.html", "p001");
   const Ended done = withdraw("p001");
   EXPECT_EQ(done.code, 1) << done.errors;
+  EXPECT_NE(done.errors.find("report.html: was made from these tables"), std::string::npos)
+      << done.errors;
   EXPECT_NE(done.errors.find("sessions.csv: names p001 and was not changed"), std::string::npos)
       << done.errors;
   EXPECT_NE(done.output.find("answers.csv: rows deleted: 1"), std::string::npos) << done.output;
@@ -242,6 +246,7 @@ TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
   EXPECT_EQ(text_of(folder.path() / "exported/notes.csv"), "about,p001\n");
   const Ended again = withdraw("p001");
   EXPECT_EQ(again.code, 2) << again.output;
+  fs::remove(folder.path() / "kept-links.csv");  // of the server before, on another port
   Running anew(command(manifest));
   read_links();
   const json session = json::parse(body_in(get(links.at("p001") + "session.json")));

@@ -99,18 +99,25 @@ void refuse_unreadable(const std::vector<fs::path>& files, const WithdrawnPartic
 }
 
 /// Prints which tables name the participant but have no browser sessions, so that they are not
-/// changed. Returns their number.
+/// changed, and the pages of reports with such tables. Returns the number of tables.
 int print_tables_to_remake(const std::vector<fs::path>& files, const std::set<std::string>& ids,
                            const Console& console) {
   int left = 0;
+  std::set<fs::path> reports;
   for (const fs::path& file : files) {
     if (!names_participant(file, ids)) continue;
     ++left;
+    // A report has the tables of its results in a folder beside its page.
+    const fs::path page = file.parent_path().parent_path() / "report.html";
+    if (file.parent_path().filename() == "results" && fs::exists(page)) reports.insert(page);
     console.err << fmt::format(
         "{}: names {} and was not changed, since it has no browser sessions; make it again, or "
         "delete it\n",
         file.string(), fmt::join(ids, ", "));
   }
+  for (const fs::path& page : reports)
+    console.err << fmt::format("{}: was made from these tables; make it again, or delete it\n",
+                               page.string());
   return left;
 }
 

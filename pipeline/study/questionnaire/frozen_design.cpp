@@ -78,12 +78,31 @@ constexpr auto scales_columns = table_of<Scale>(
      {"least", "", "value at the low end", [](auto& r) { return r.least; }},
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
 
-/// The plan as the manifest has it, followed by factors and contrasts, and by the quality rules.
+/// The level of significance, the correction and the exclusion of participants.
+std::string tests_plan(const Questionnaire& asked) {
+  const AnalysisPlan& analysis = asked.analysis;
+  std::string text = fmt::format("All tests are two-sided with α = {:g}; ", analysis.alpha);
+  text += analysis.correction == TestCorrection::none
+              ? "p values are not corrected for multiple comparisons.\n"
+              : fmt::format("p values are corrected within each family of comparisons ({}).\n",
+                            word_of(correction_words, analysis.correction));
+  if (asked.attention_every > 0)
+    text += fmt::format(
+        "Participants who fail more than {} attention check{} are left out of the analysis with "
+        "all "
+        "of their answers.\n",
+        analysis.max_failed_checks, analysis.max_failed_checks == 1 ? "" : "s");
+  return text;
+}
+
+/// The plan as the manifest has it, followed by how it is tested, by factors and contrasts, and by
+/// the quality rules.
 std::string analysis_plan_text(const Manifest& manifest) {
   const AnalysisPlan& analysis = questionnaire_of(manifest).analysis;
   std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
   for (const std::string& part :
-       {factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
+       {tests_plan(questionnaire_of(manifest)),
+        factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
         quality_plan(analysis.quality)})
     if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
   return plan;

@@ -69,7 +69,10 @@ TEST_F(FrozenDesign, IsTheSameBytesAndHoldsWhatItRestsOn) {
   const ZipFiles again = unzipped(bytes, "frozen.zip");
   EXPECT_EQ(again, files());
   EXPECT_EQ(again.at("inputs/c.txt"), "I agree.");
-  EXPECT_EQ(again.at("analysis-plan.txt"), "two t tests");
+  EXPECT_EQ(
+      again.at("analysis-plan.txt"),
+      "two t tests\n\nAll tests are two-sided with α = 0.05; p values are corrected within each "
+      "family of comparisons (holm).\n");
   EXPECT_TRUE(holds(again.at("stimuli.csv"), "a1,videos/a1.mp4,"));
   EXPECT_TRUE(holds(again.at("dummy-report/answers.csv"), "simulated"));
 }
@@ -115,9 +118,9 @@ TEST_F(FrozenDesign, StatesTheQualityRulesAndWhereTheyDiffer) {
   EXPECT_FALSE(holds(before.at("design.json"), "quality"));
   manifest_.questionnaire->analysis.quality.max_longstring = 12;
   const ZipFiles after = files();
-  EXPECT_TRUE(
-      after.at("analysis-plan.txt")
-          .starts_with("two t tests\n\nQuality rules, stated before the data are collected"));
+  EXPECT_TRUE(after.at("analysis-plan.txt")
+                  .find("(holm).\n\nQuality rules, stated before the data are collected") !=
+              std::string::npos);
   EXPECT_TRUE(holds(after.at("design.json"), "\"quality\": {\n      \"max_longstring\": 12\n"));
   write_file(bundle_, zip_of(after));
   EXPECT_EQ(differences(manifest_, made_), "");
@@ -135,8 +138,8 @@ TEST_F(FrozenDesign, StatesFactorsAndContrastsAndWhereTheyDiffer) {
   plan.contrasts = {{"first", {{"actor", {{"a", 1.0}, {"b", -1.0}}}}, {}, {}}};
   const ZipFiles after = files();
   EXPECT_TRUE(after.at("analysis-plan.txt")
-                  .starts_with("two t tests\n\nAnalysis of variance of each scale by the factor "
-                               "actor within participants"));
+                  .find("(holm).\n\nAnalysis of variance of each scale by the factor actor within "
+                        "participants") != std::string::npos);
   EXPECT_TRUE(holds(after.at("analysis-plan.txt"), "- “first” (a − b)\n"));
   EXPECT_EQ(before.at("plans.csv"), after.at("plans.csv"));
   write_file(bundle_, zip_of(after));
