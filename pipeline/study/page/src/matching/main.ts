@@ -180,8 +180,8 @@ class Session {
       await this.beforeTrial(trial, before);
       const alike = session.trials.filter(({ practice }) => practice === trial.practice);
       const place = alike.indexOf(trial) + 1;
-      const title = trial.practice ? this.words.practiceOf(place, alike.length)
-        : this.words.motionOf(place, alike.length);
+      const title = trial.practice ? this.words.practiceOf({ number: place, all: alike.length })
+        : this.words.motionOf({ number: place, all: alike.length });
       const record = await runTrial(root(), trial, title, attemptAt(this.experiment, this.store, trial), around);
       await this.keep(record, root());
       before = trial;
@@ -197,18 +197,18 @@ class Session {
       const { practice } = group[0]!;
       const alike = groups.filter((one) => one[0]!.practice === practice);
       const place = alike.indexOf(group) + 1;
-      const title = practice ? words.practiceOf(place, alike.length) : words.motionOf(place, alike.length);
+      const title = practice ? words.practiceOf({ number: place, all: alike.length }) : words.motionOf({ number: place, all: alike.length });
       const left = group.filter(({ number }) => !this.has(`trial-${number}`));
       for (const trial of left) {
         if (guesses.of(trial)) continue;
         const said = trial === group[0] ? this.beforeMotion(practice, place, alike.length) : [];
-        await this.beforeStep(title, trial, [...said, words.guessWith(words.interfaces[trial.interface])]);
+        await this.beforeStep(title, trial, [...said, words.guessWith({ name: words.interfaces[trial.interface] })]);
         guesses.keep(trial,
           await runGuess(root(), trial, title, attemptAt(experiment, store, trial, "guess-"), around));
       }
       for (const trial of left) {
         const guess = guesses.of(trial)!;
-        await this.beforeStep(title, trial, [words.matchWith(words.interfaces[trial.interface])]);
+        await this.beforeStep(title, trial, [words.matchWith({ name: words.interfaces[trial.interface] })]);
         const attempt = guess.attempt - 1 + attemptAt(experiment, store, trial);
         await this.keep(await runTrial(root(), trial, title, attempt, around, guess), root());
       }
@@ -219,7 +219,7 @@ class Session {
   private beforeMotion(practice: boolean, place: number, all: number): string[] {
     const { texts, words, store } = this;
     if (practice) return place === 1 ? [texts.practiceBegins] : [];
-    if (place > 1) return [words.restText(place - 1, all)];
+    if (place > 1) return [words.restText({ done: place - 1, all })];
     return store.session.trials.some((trial) => trial.practice) ? [texts.mainBegins] : [];
   }
 
@@ -236,9 +236,9 @@ class Session {
     const said: string[] = [];
     if (trial.practice && !before) said.push(texts.practiceBegins);
     if (!trial.practice && before?.practice) said.push(texts.mainBegins);
-    if (done > 0) said.push(words.restText(done, main.length));
+    if (done > 0) said.push(words.restText({ done, all: main.length }));
     if (!before || before.interface !== trial.interface || before.practice !== trial.practice)
-      said.push(words.nextAre(words.interfaces[trial.interface]), words.explains[trial.interface]);
+      said.push(words.nextAre({ name: words.interfaces[trial.interface] }), words.explains[trial.interface]);
     await this.page({ title, texts: said, buttons: [texts.next] });
   }
 }

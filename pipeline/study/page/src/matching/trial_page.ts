@@ -47,7 +47,7 @@ class Readings {
     if (showsDistance)
       this.element.append(
         element("p", {}, `${words.distance}: `, this.distance, " cm ",
-          element("span", { class: "goal" }, `(${words.goal(centimetres(thresholdM))})`)), this.bar);
+          element("span", { class: "goal" }, `(${words.goal({ centimetres: centimetres(thresholdM) })})`)), this.bar);
   }
 
   tell(d: number): void {
@@ -193,7 +193,7 @@ export async function runTrial(
         page.dataset.step = "over";
         const seconds = Math.round(record.time_s);
         status.textContent = !record.success ? words.over : record.time_s === 0 ? words.matchedAtOnce
-          : words.matched(seconds);
+          : words.matched({ seconds });
         status.classList.add(record.success ? "good" : "late");
         next.hidden = false;
         next.focus();

@@ -95,7 +95,7 @@ export function showEnding(
   if (mode !== "static")
     return show(texts.thanks,
       [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back, code);
-  const again = save().map((file) => button(texts.saveFile(file.name), file.save));
+  const again = save().map((file) => button(texts.saveFile({ name: file.name }), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
     // The next one gets a plan of his own.

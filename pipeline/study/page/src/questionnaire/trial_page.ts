@@ -102,8 +102,8 @@ class TrialAtWork {
     const { texts, session } = around;
     const all = session.trials.length;
     const bar = element("progress", { max: String(all), value: String(trial.number - 1),
-      "aria-label": texts.trialOf(trial.number, all) });
-    const place = element("h1", { tabindex: "-1" }, texts.trialOf(trial.number, all));
+      "aria-label": texts.trialOf({ number: trial.number, all }) });
+    const place = element("h1", { tabindex: "-1" }, texts.trialOf({ number: trial.number, all }));
     const head = element("header", { class: "trial-head" }, place, bar);
     if (trial.practice) place.append(" ", element("span", { class: "badge" }, texts.practice));
     return head;
@@ -180,7 +180,7 @@ class TrialAtWork {
     const missing = this.missing();
     if (this.isDone || !this.isOpen) return;
     if (missing.length) {
-      this.note.textContent = this.around.texts.missing(missing.length);
+      this.note.textContent = this.around.texts.missing({ count: missing.length });
       for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
       missing[0]!.focus();
       return;
