@@ -106,10 +106,12 @@ class TextsCheck {
         list_.add_at_key(at, "no page has this text", motion::did_you_mean(key, known));
       }
     }
-    for (const std::string& key : known)
-      if (complete_ && !given.contains(key))
-        list_.add(path, "has no text " + motion::in_quotes(key),
-                  "add it, or complete_from: a language with built-in texts");
+    const Names missing = missing_in(given, known);
+    if (!complete_ || missing.empty()) return;
+    const std::string more =
+        missing.size() == 1 ? "" : " and " + std::to_string(missing.size() - 1) + " more";
+    list_.add(path, "has no text " + motion::in_quotes(missing.front()) + more,
+              "add it, or complete_from: a language with built-in texts");
   }
 
   std::vector<Fault> take() { return list_.take(); }
@@ -131,6 +133,13 @@ class TextsCheck {
       if (is_plural(measure) && categories_.size() > 1 && given.is_string())
         list_.add(path, "has no plural forms", form_of(measure.begin().key()));
     }
+  }
+
+  static Names missing_in(const json& given, const Names& known) {
+    Names missing;
+    for (const std::string& key : known)
+      if (!given.contains(key)) missing.push_back(key);
+    return missing;
   }
 
   /// The form of a text with plural forms, as a remedy.

@@ -216,7 +216,7 @@ TEST(Report, NamesScalesInTheLanguageOfTheStudyAlone) {
   const std::string english = open_part_of(report_of(manifest), "mix");
   EXPECT_EQ(english.find("遅い"), std::string::npos);
   manifest.questionnaire.emplace();
-  manifest.questionnaire->language = InterfaceLanguage::japanese;
+  manifest.questionnaire->language = {{"ja"}, false};
   const std::string japanese = open_part_of(report_of(manifest), "mix");
   EXPECT_NE(japanese.find("遅い – 速い"), std::string::npos);
   EXPECT_EQ(japanese.find("slow – fast</th>"), std::string::npos);

@@ -83,7 +83,7 @@ class Session {
     private mode: Mode, private experiment: MatchingExperiment, private store: Store<MatchingSession>,
     private texts: Texts,
   ) {
-    this.words = matchingTexts(experiment.language);
+    this.words = matchingTexts(experiment.language, experiment.page_texts?.[experiment.language]);
   }
 
   async run(): Promise<void> {
@@ -130,7 +130,8 @@ class Session {
         const agreed = given.pressed === 0;
         const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
         if (agreed || mode !== "static")
-          await this.keep(pageRecord("consent", this.store.name, { ...given, responses }), page);
+          await this.keep({ ...pageRecord("consent", this.store.name, { ...given, responses }),
+            language: experiment.language }, page);
         if (agreed) return mayWithdraw(experiment, this.store, texts, {});
         if (mode === "static") this.store.clear?.();
         show(texts.thanks, [texts.refused]);
@@ -262,7 +263,7 @@ function savedFiles(experiment: MatchingExperiment, store: Store<MatchingSession
 async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checkedMatching);
-  const texts = sharedTexts(experiment.language);
+  const texts = sharedTexts(experiment.language, experiment.page_texts?.[experiment.language]);
   if (!mayBegin(experiment, texts)) return;
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => trialsCsv(experiment, session, records),

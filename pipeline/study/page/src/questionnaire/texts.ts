@@ -1,16 +1,20 @@
 // Fixed texts of the pages (page/texts); those of the study (consent, instructions, questions) are in experiment.json.
 
 import { questionnaireTexts, type Texts } from "../texts/languages";
-import { spoken } from "../texts/phrase";
+import { spoken, type OwnTexts } from "../texts/phrase";
 
 export type { Texts };
 
 const english = "en";
 
-export function textsOf(language: string): Texts {
-  const { direction, questionnaire } = (questionnaireTexts[language] ?? questionnaireTexts[english])!;
+/** The texts in a language: those of the study, if it has its own, or the built-in ones, or English ones. */
+export function textsOf(language: string, own?: OwnTexts): Texts {
+  const { direction, questionnaire } = own ?? (questionnaireTexts[language] ?? questionnaireTexts[english])!;
   return spoken(questionnaire, questionnaireTexts[english]!.questionnaire, { language, direction }) as unknown as Texts;
 }
+
+export const directionOf = (language: string, own?: OwnTexts): "ltr" | "rtl" =>
+  (own ?? questionnaireTexts[language])?.direction ?? "ltr";
 
 /** The degree that a point of a scale stands for: "very"; for the middle, "neither". */
 export function degreeOf(texts: Texts, place: number, points: number): string {

@@ -40,6 +40,14 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   return first ? [shown(first, "alone")] : [];
 }
 
+/** The width that the longest word of the ends of scales needs, in its font's size; Chinese and Japanese break
+    anywhere. */
+function poleWidth(rows: HTMLElement): number {
+  const words = [...rows.querySelectorAll(".pole")].flatMap((pole) => (pole.textContent ?? "").split(/[\s/-]+/));
+  const broken = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}]/u;
+  return 0.65 * Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+}
+
 /** One trial: stimuli, answers, a comment; done when all is answered. */
 class TrialAtWork {
   private began = performance.now();
@@ -87,6 +95,7 @@ class TrialAtWork {
     this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
       ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
+    rows.style.setProperty("--pole", `${poleWidth(rows)}em`);
     for (const legend of rows.querySelectorAll("legend"))
       if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);

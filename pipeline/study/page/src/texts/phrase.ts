@@ -9,6 +9,14 @@ export interface Section {
   [key: string]: string | string[] | Plural | Section;
 }
 
+/** A study's own texts of pages in a language, complete. */
+export interface OwnTexts {
+  direction: "ltr" | "rtl";
+  questionnaire: Section;
+  matching: Section;
+  in_matching: Section;
+}
+
 /** How a language is written. */
 export interface Writing {
   language: string;
@@ -22,10 +30,11 @@ const isPlural = (given: object): given is Plural => {
   return !more.length && typeof forms === "object" && typeof forms.other === "string";
 };
 
-/** Numbers are written with the digits 0 … 9, which are also the keys that choose answers. */
-const numberText = (value: number, language: string): string =>
-  new Intl.NumberFormat(language, { numberingSystem: "latn", useGrouping: false, maximumFractionDigits: 2 } as never)
-    .format(value);
+/** Numbers are written with the digits 0 … 9, which are also the keys that choose answers; with `decimals` after
+    the mark, or as many as there are. */
+export const numberText = (value: number, language: string, decimals?: number): string =>
+  new Intl.NumberFormat(language, { numberingSystem: "latn", useGrouping: false,
+    minimumFractionDigits: decimals ?? 0, maximumFractionDigits: decimals ?? 2 } as never).format(value);
 
 /** A name in other letters does not disturb the order of words of a text written from right to left. */
 const isolated = (name: string, { direction }: Writing): string =>

@@ -26,7 +26,10 @@ function sidesOf({ experiment, texts }: Pick<Asking, "experiment" | "texts">, id
 function sideOf(id: string, asking: Asking): Asked {
   const { experiment, texts, answered } = asking;
   const item = experiment.items[id];
-  return choicesOf(id, item ? texts.more({ word: item.high }) : id, "", "", sidesOf(asking, id), String, null, answered);
+  const asked = choicesOf(id, item ? texts.more({ word: item.high }) : id, "", "", sidesOf(asking, id), String, null,
+    answered);
+  if (experiment.settings.pairs !== "in_turn") asked.root.classList.add("sides");
+  return asked;
 }
 
 export const pair: CheckedKind = {
