@@ -222,6 +222,17 @@ TEST(Report, NamesScalesInTheLanguageOfTheStudyAlone) {
   EXPECT_EQ(japanese.find("slow – fast</th>"), std::string::npos);
 }
 
+TEST(Report, NamesScalesInBothLanguagesByChoice) {
+  Manifest manifest = adjective_study();
+  manifest.names = NameLanguage::both;
+  EXPECT_NE(open_part_of(report_of(manifest), "mix").find("slow – fast 遅い – 速い"),
+            std::string::npos);
+  manifest.questionnaire.emplace();
+  manifest.questionnaire->language = {{"ja"}, false};
+  manifest.names = NameLanguage::english;
+  EXPECT_EQ(open_part_of(report_of(manifest), "mix").find("遅い"), std::string::npos);
+}
+
 TEST(Report, StandsAtAFrameOfTheFilmBeforeItPlays) {
   Manifest manifest = study_called("plain");
   EXPECT_EQ(report_of(manifest).find("#t="), std::string::npos);
