@@ -113,6 +113,8 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
 void add_page(KeyBuilder& key, const Manifest& manifest) {
   const WritingOptions how{.for_key = true, .concerned = concerns::page};
   for (const FieldEntry& entry : entries_of(manifest, how)) key.add(entry.path, entry.value.dump());
+  if (name_language(manifest) != NameLanguage::english)
+    key.add("names", std::string(word_of(name_language_words, name_language(manifest))));
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const auto& [factor, level] : stimulus.factors)
       key.add("factor", factor).add("level", level);

@@ -53,4 +53,12 @@ std::vector<MotionPair> pairs_on(const Sheet& sheet) {
   return pairs;
 }
 
+NameLanguage name_language(const Manifest& manifest) {
+  if (manifest.names != NameLanguage::study) return manifest.names;
+  std::string first;
+  if (manifest.questionnaire) first = manifest.questionnaire->language.first();
+  if (manifest.matching) first = manifest.matching->language.first();
+  return first == "ja" ? NameLanguage::japanese : NameLanguage::english;
+}
+
 }  // namespace mien::pipeline

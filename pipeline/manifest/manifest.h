@@ -80,6 +80,20 @@ struct EqualizeForm {
 std::vector<std::vector<const Stimulus*>> equalized_groups(const std::vector<Stimulus>& stimuli,
                                                            EqualizeGroup group_by);
 
+/// The language of the names of parameters, features and joints on sheets and in the report; those
+/// without a Japanese name are named in English.
+enum class NameLanguage {
+  study,  ///< Japanese if that is the first language of the pages for participants, else English
+  english,
+  japanese,
+  both
+};
+
+inline constexpr Words<NameLanguage> name_language_words = {{"study", NameLanguage::study},
+                                                            {"en", NameLanguage::english},
+                                                            {"ja", NameLanguage::japanese},
+                                                            {"both", NameLanguage::both}};
+
 /// A manifest with defaults filled in and overrides merged.
 struct Manifest {
   std::filesystem::path file;
@@ -99,6 +113,7 @@ struct Manifest {
   Equalize equalize;
   RegressionLimits regression;
   Design design;
+  NameLanguage names = NameLanguage::study;
   std::vector<Stimulus> stimuli;
   std::optional<Mismatch> mismatch;
   std::vector<Overlay> overlays;
@@ -108,6 +123,9 @@ struct Manifest {
   Places places;
   std::vector<Fault> renamed;  ///< warnings about keys with deprecated names
 };
+
+/// The language of names with NameLanguage::study resolved.
+NameLanguage name_language(const Manifest& manifest);
 
 /// Return a stimulus or an overlay that has only the manifest's defaults.
 Stimulus plain_stimulus(const Manifest& manifest);
@@ -134,6 +152,8 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field.by("equalize", manifest.equalize, concerns::picture, EqualizeForm());
   field("regression", manifest.regression, concerns::nothing);
   field("design", manifest.design, concerns::page);
+  // In the key of pages only where it is set: pages of earlier manifests keep theirs.
+  field("names", manifest.names, concerns::nothing, name_language_words);
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });
   field("mismatch", manifest.mismatch, concerns::nothing);

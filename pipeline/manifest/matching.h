@@ -18,8 +18,9 @@ inline constexpr Words<MatchingOrder> matching_order_words = {
 /// A matching experiment: participants adjust the sliders of one or more interfaces until a motion
 /// matches a target as closely as possible. The experiment does not affect the stimuli.
 struct Matching {
-  std::string title;  ///< empty: the study's name
-  InterfaceLanguage language = InterfaceLanguage::english;
+  LocalText title;                           ///< empty: the study's name
+  PageLanguage language;                     ///< of the interface and of the ends of adjectives
+  OwnTexts texts;                            ///< of the interface, in place of the built-in ones
   int participants = 0;                      ///< planned number
   TextSource consent, instructions, ending;  ///< empty: not given
   std::vector<std::string> targets;  ///< stimulus ids; empty: all stimuli with the role of a target
@@ -42,8 +43,9 @@ struct Matching {
 };
 
 void fields_of(auto&& field, MaybeConst<Matching> auto& matching) {
-  field("title", matching.title, concerns::nothing);
-  field("language", matching.language, concerns::nothing, language_words);
+  field.by("title", matching.title, concerns::nothing, LocalTextForm());
+  field.by("language", matching.language, concerns::nothing, PageLanguageForm());
+  field.by("texts", matching.texts, concerns::nothing, OwnTextsForm());
   field("participants", matching.participants, concerns::required);
   field.by("consent", matching.consent, concerns::nothing, TextForm());
   field.by("instructions", matching.instructions, concerns::nothing, TextForm());

@@ -14,7 +14,6 @@
 
 namespace mien::pipeline {
 
-enum class InterfaceLanguage { english, japanese };
 enum class StartsAt { none, middle };
 enum class PoleSide { random, fixed };
 enum class Watching { full, free };
@@ -24,8 +23,6 @@ enum class PairPresentation { together, in_turn };
 enum class TestCorrection { holm, benjamini_hochberg, none };
 enum class FlaggedAnswers { excluded, kept };
 
-inline constexpr Words<InterfaceLanguage> language_words = {{"en", InterfaceLanguage::english},
-                                                            {"ja", InterfaceLanguage::japanese}};
 inline constexpr Words<StartsAt> starts_at_words = {{"none", StartsAt::none},
                                                     {"middle", StartsAt::middle}};
 inline constexpr Words<PoleSide> pole_side_words = {{"random", PoleSide::random},
@@ -51,7 +48,7 @@ struct AnswerSettings {
   int points = 5;                       ///< number of points, including both ends
   bool slider = false;                  ///< raw answers are 0 … 100 from left to right
   bool words = false;                   ///< free words; the raw answer is the text
-  std::vector<std::string> suggest;     ///< words that are suggested while one types
+  LocalWords suggest;                   ///< words that are suggested while one types
   bool anchors = true;                  ///< every point is labelled ("very sad"), not only the ends
   StartsAt starts_at = StartsAt::none;  ///< initial state of a scale
   PoleSide side = PoleSide::random;     ///< side of the high end: varies between participants and
@@ -63,7 +60,7 @@ void fields_of(auto&& field, MaybeConst<AnswerSettings> auto& answer) {
   field("points", answer.points, concerns::nothing);
   field("slider", answer.slider, concerns::nothing);
   field("words", answer.words, concerns::nothing);
-  field("suggest", answer.suggest, concerns::nothing);
+  field.by("suggest", answer.suggest, concerns::nothing, LocalWordsForm());
   field("anchors", answer.anchors, concerns::nothing);
   field("default", answer.starts_at, concerns::nothing, starts_at_words);
   field("side", answer.side, concerns::nothing, pole_side_words);
@@ -100,14 +97,14 @@ void fields_of(auto&& field, MaybeConst<DisplaySettings> auto& display) {
 /// A question about the participant.
 struct Demographic {
   std::string id;       ///< column in the table of participants
-  std::string ask;      ///< the question
+  LocalText ask;        ///< the question
   AnswerChoice answer;  ///< a number, a text, or one of several choices
   bool required = false;
 };
 
 void fields_of(auto&& field, MaybeConst<Demographic> auto& question) {
   field("id", question.id, concerns::required);
-  field("ask", question.ask, concerns::required);
+  field.by("ask", question.ask, concerns::required, LocalTextForm());
   field.by("answer", question.answer, concerns::required, AnswerChoiceForm());
   field("required", question.required, concerns::nothing);
 }
@@ -180,20 +177,19 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
 /// The questions asked about the stimuli of a manifest, their order and their presentation. It does
 /// not affect the stimuli.
 struct Questionnaire {
-  std::string title;  ///< empty: the study's name
-  /// Language of the interface and of the scales' labels.
-  InterfaceLanguage language = InterfaceLanguage::english;
+  LocalText title;                           ///< empty: the study's name
+  PageLanguage language;                     ///< of the interface and of the scales' labels
+  OwnTexts texts;                            ///< of the interface, in place of the built-in ones
   int participants = 0;                      ///< planned number
   TextSource consent, instructions, ending;  ///< empty: not given
   std::string consent_version;               ///< as approved by an ethics committee, say; or empty
   TextSource debriefing;  ///< shown after the last answer and after withdrawal; empty: none
-  std::string question;   ///< shown above the items of a trial; empty: a default text
+  LocalText question;     ///< shown above the items of a trial; empty: a default text
   StimulusChoice stimuli;
   int per_participant = 0;                 ///< number of analysed trials per participant; 0: all
   const TrialForm* trials = &rating_form;  ///< form of the trials
   ScaleChoice scales;
-  /// Possible answers: id → displayed text.
-  std::vector<std::pair<std::string, std::string>> choices;
+  DisplayedChoices choices;  ///< possible answers; empty: the levels of the factor emotion
   /// Stimuli of each pair, for forms with two stimuli; empty: all pairs.
   std::vector<std::vector<std::string>> pairs;
   PreferenceSettings preference;  ///< only for forms with two stimuli
@@ -219,15 +215,16 @@ struct Questionnaire {
 };
 
 void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
-  field("title", questionnaire.title, concerns::nothing);
-  field("language", questionnaire.language, concerns::nothing, language_words);
+  field.by("title", questionnaire.title, concerns::nothing, LocalTextForm());
+  field.by("language", questionnaire.language, concerns::nothing, PageLanguageForm());
+  field.by("texts", questionnaire.texts, concerns::nothing, OwnTextsForm());
   field("participants", questionnaire.participants, concerns::required);
   field.by("consent", questionnaire.consent, concerns::nothing, TextForm());
   field("consent_version", questionnaire.consent_version, concerns::nothing);
   field.by("instructions", questionnaire.instructions, concerns::nothing, TextForm());
   field.by("debriefing", questionnaire.debriefing, concerns::nothing, TextForm());
   field.by("ending", questionnaire.ending, concerns::nothing, TextForm());
-  field("question", questionnaire.question, concerns::nothing);
+  field.by("question", questionnaire.question, concerns::nothing, LocalTextForm());
   field.by("stimuli", questionnaire.stimuli, concerns::nothing, StimulusChoiceForm());
   field("per_participant", questionnaire.per_participant, concerns::nothing);
   field("trials", questionnaire.trials, concerns::nothing, trial_form_words);

@@ -62,8 +62,8 @@ std::vector<std::string> matching_targets(const Manifest& manifest) {
 
 std::string title_of(const Manifest& manifest) {
   if (!manifest.questionnaire && manifest.matching)
-    return manifest.matching->title.empty() ? manifest.study : manifest.matching->title;
-  const std::string& title = questionnaire_of(manifest).title;
+    return manifest.matching->title.text.empty() ? manifest.study : manifest.matching->title.text;
+  const std::string& title = questionnaire_of(manifest).title.text;
   return title.empty() ? manifest.study : title;
 }
 
@@ -135,8 +135,9 @@ std::vector<std::string> shown_stimuli(const Manifest& manifest) {
 
 std::vector<std::pair<std::string, std::string>> questionnaire_choices(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
-  if (!asked.choices.empty()) return asked.choices;
   std::vector<std::pair<std::string, std::string>> choices;
+  for (const auto& [id, shown] : asked.choices) choices.emplace_back(id, shown.text);
+  if (!choices.empty()) return choices;
   for (const std::string& id : questionnaire_stimuli(manifest)) {
     const std::string level = level_of(manifest, id, "emotion");
     const bool is_new =

@@ -20,16 +20,6 @@ void read_member(const DocumentValue& given, const char* key, auto& value) {
 
 }  // namespace
 
-void TextForm::read(const DocumentValue& given, TextSource& source) {
-  assign(&given.value, source.text);
-  read_member(given, "file", source.file);
-}
-
-OrderedJson TextForm::write(const TextSource& source, const WritingOptions& how) {
-  if (!source.file.empty()) return {{"file", written(source.file, how)}};
-  return source.text.empty() ? OrderedJson() : OrderedJson(source.text);
-}
-
 void StimulusChoiceForm::read(const DocumentValue& given, StimulusChoice& choice) {
   pipeline::read(given, choice.ids);
   pipeline::read(given, choice.levels);
@@ -58,32 +48,38 @@ OrderedJson ScaleChoiceForm::write(const ScaleChoice& choice, const WritingOptio
   return choice.emotions ? OrderedJson("emotions") : written(choice.ids, how);
 }
 
-void ChoicesForm::read(const DocumentValue& given,
-                       std::vector<std::pair<std::string, std::string>>& choices) {
-  if (given.value.is_object()) return pipeline::read(given, choices);
+void ChoicesForm::read(const DocumentValue& given, DisplayedChoices& choices) {
+  choices.clear();
+  if (given.value.is_object()) {
+    for (const std::string& id : written_order(given.value, given.path, given.context.places)) {
+      choices.emplace_back(id, LocalText());
+      LocalTextForm::read({given.value[id], member_path(given.path, id), given.context},
+                          choices.back().second);
+    }
+    return;
+  }
   std::vector<std::string> ids;
   pipeline::read(given, ids);
-  choices.clear();
-  for (const std::string& id : ids) choices.emplace_back(id, id);
+  for (const std::string& id : ids) choices.emplace_back(id, LocalText{id});
 }
 
-OrderedJson ChoicesForm::write(const std::vector<std::pair<std::string, std::string>>& choices,
-                               const WritingOptions& how) {
+OrderedJson ChoicesForm::write(const DisplayedChoices& choices, const WritingOptions& how) {
   std::vector<std::string> ids;
+  OrderedJson map = OrderedJson::object();
   for (const auto& [id, shown] : choices) {
-    if (shown != id) return written(choices, how);
-    ids.push_back(id);
+    if (shown == LocalText{id}) ids.push_back(id);
+    map[id] = LocalTextForm::write(shown, how);
   }
-  return written(ids, how);
+  return ids.size() == choices.size() ? written(ids, how) : map;
 }
 
 void AnswerChoiceForm::read(const DocumentValue& given, AnswerChoice& answer) {
   answer.is_number = given.value == "number";
-  pipeline::read(given, answer.choices);
+  LocalWordsForm::read(given, answer.choices);
 }
 
 OrderedJson AnswerChoiceForm::write(const AnswerChoice& answer, const WritingOptions& how) {
-  if (!answer.choices.empty()) return written(answer.choices, how);
+  if (!answer.choices.empty()) return LocalWordsForm::write(answer.choices, how);
   return answer.is_number ? "number" : "text";
 }
 

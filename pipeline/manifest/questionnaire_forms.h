@@ -9,25 +9,10 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/local_texts.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
-
-/// A text for participants, given in the manifest or in a file. In both cases, `text` contains it
-/// once the manifest has been read.
-struct TextSource {
-  std::string text;
-  std::filesystem::path file;  ///< resolved; empty: the text is in the manifest
-
-  bool empty() const { return text.empty(); }
-};
-
-/// `consent: |` …, or `consent: {file: consent.txt}`.
-struct TextForm {
-  static void read(const DocumentValue& given, TextSource& source);
-  static nlohmann::ordered_json write(const TextSource& source, const WritingOptions& how);
-  static void walk(auto& names) { names.add("file"); }
-};
 
 /// The stimuli that are rated: those named, or those that have, for each factor in `levels`, one of
 /// the given levels; all if neither is given.
@@ -62,21 +47,26 @@ struct ScaleChoiceForm {
   }
 };
 
-/// `choices: [sad, happy]`, or `choices: {sad: 悲しい, happy: 嬉しい}`.
+/// Possible answers: ids and what is displayed.
+using DisplayedChoices = std::vector<std::pair<std::string, LocalText>>;
+
+/// `choices: [sad, happy]`, `choices: {sad: 悲しい, happy: 嬉しい}`, or
+/// `choices: {sad: {en: sad, de: traurig}, …}`.
 struct ChoicesForm {
-  static void read(const DocumentValue& given,
-                   std::vector<std::pair<std::string, std::string>>& choices);
-  static nlohmann::ordered_json write(
-      const std::vector<std::pair<std::string, std::string>>& choices, const WritingOptions& how);
+  static void read(const DocumentValue& given, DisplayedChoices& choices);
+  static nlohmann::ordered_json write(const DisplayedChoices& choices, const WritingOptions& how);
 };
 
 /// The type of answer to a question about the participant.
 struct AnswerChoice {
   bool is_number = false;
-  std::vector<std::string> choices;  ///< possible answers; empty: a text or a number
+  /// Possible answers; empty: a text or a number. Those in the first language offered are
+  /// recorded, whichever language is displayed.
+  LocalWords choices;
 };
 
-/// `answer: number`, `answer: text`, or `answer: [one, other]`.
+/// `answer: number`, `answer: text`, `answer: [one, other]`, or
+/// `answer: {en: [one, other], de: [einer, anderer]}`.
 struct AnswerChoiceForm {
   static void read(const DocumentValue& given, AnswerChoice& answer);
   static nlohmann::ordered_json write(const AnswerChoice& answer, const WritingOptions& how);

@@ -34,14 +34,14 @@ struct AnswerRangeForm {
 /// A question that decides whether a participant may take part. It must be answered.
 struct ScreeningQuestion {
   std::string id;       ///< column in the table of participants
-  std::string ask;      ///< the question
+  LocalText ask;        ///< the question
   AnswerChoice answer;  ///< a number, or one of several choices
   AnswerRange accept;   ///< empty: every answer
 };
 
 void fields_of(auto&& field, MaybeConst<ScreeningQuestion> auto& question) {
   field("id", question.id, concerns::required);
-  field("ask", question.ask, concerns::required);
+  field.by("ask", question.ask, concerns::required, LocalTextForm());
   field.by("answer", question.answer, concerns::required, AnswerChoiceForm());
   field.by("accept", question.accept, concerns::nothing, AnswerRangeForm());
 }

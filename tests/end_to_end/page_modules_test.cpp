@@ -38,6 +38,10 @@ TEST_F(PageModules, AreOfTheTypesThatTheyTell) {
   expect_passed({"node_modules/typescript/bin/tsc", "--noEmit"});
 }
 
+TEST_F(PageModules, SayWhatTheyHaveToInEachLanguage) {
+  expect_passed({"--test", "tests/texts.mjs"});
+}
+
 /// Manifests that the studio saves.
 TEST_F(PageModules, EditManifestsAndKeepWhatTheyDoNotChangeToTheByte) {
   expect_passed({"--test", "tests/studio/manifest_edit.mjs"});

@@ -575,6 +575,33 @@ TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
   EXPECT_EQ(suggested.at("faults"), json::array());
 }
 
+TEST_F(QuestionnairePage, IsInTheLanguageThatTheBrowserPrefersAndMirroredInArabic) {
+  const json told = played("languages");
+  EXPECT_EQ(
+      told.at("chosen"),
+      (json{{"de-AT",
+             {"de", "ltr", "Wie geht diese Person?", "Ich bin mit der Teilnahme einverstanden"}},
+            {"fr-FR", {"en", "ltr", "How does this person walk?", "I agree to take part"}},
+            {"ar-EG", {"ar", "rtl", "كيف", "أوافق على المشاركة"}},
+            {"en-GB", {"en", "ltr", "How does this person walk?", "I agree to take part"}}}));
+  // The first point is on the right, and the left arrow key moves to the left.
+  EXPECT_EQ(told.at("checked"), 2);
+  EXPECT_EQ(told.at("back"), 1);
+  const auto places = told.at("places").get<std::vector<double>>();
+  EXPECT_TRUE(std::is_sorted(places.rbegin(), places.rend())) << told.at("places");
+  EXPECT_GT(places.front(), places.back());
+  EXPECT_GT(told.at("poles")[0][1], told.at("poles")[1][1]) << told.at("poles");
+  EXPECT_EQ(told.at("moved"), 51);
+  EXPECT_LT(told.at("clicked"), 20);
+  EXPECT_EQ(told.at("faults"), json::array());
+  EXPECT_EQ(told.at("troubles"), json::array());
+  const auto participant = rows_in(told.at("participant"));
+  ASSERT_EQ(participant.size(), 1U);
+  EXPECT_EQ(participant[0].at("language"), "ar");
+  EXPECT_EQ(participant[0].at("age"), "27");
+  EXPECT_EQ(participant[0].at("hand"), "left");
+}
+
 TEST_F(QuestionnairePage, HasNoFaultOfAccessibility) {
   const json checked = played("accessibility");
   EXPECT_EQ(checked.at("faults"), json::array());

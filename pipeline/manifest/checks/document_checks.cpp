@@ -13,6 +13,7 @@
 #include "pipeline/manifest/look/set_file.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/manifest/reading/recipes.h"
+#include "pipeline/manifest/texts/page_texts.h"
 
 namespace mien::pipeline {
 
@@ -33,7 +34,21 @@ DocumentKind kind_by_name(const std::filesystem::path& name) {
   if (file.ends_with(".scales.yaml")) return DocumentKind::scales;
   if (file.ends_with(".set.yaml")) return DocumentKind::set;
   if (file.ends_with(".recipes.yaml")) return DocumentKind::recipes;
+  if (file.ends_with(".texts.yaml")) return DocumentKind::texts;
   return DocumentKind::manifest;
+}
+
+/// The keys of files of texts, which have no schema: English says which texts there are.
+const nlohmann::json& texts_schema() {
+  static const nlohmann::json schema = {{"properties",
+                                         {{"language", {}},
+                                          {"complete_from", {}},
+                                          {"direction", {}},
+                                          {"questionnaire", {}},
+                                          {"matching", {}},
+                                          {"in_matching", {}}}},
+                                        {"required", {"language"}}};
+  return schema;
 }
 
 /// What a document that a manifest may name holds, and how it is named there.
@@ -45,6 +60,8 @@ struct NamedDocument {
 NamedDocument named_document(DocumentKind kind, const std::string& file) {
   if (kind == DocumentKind::scales) return {"scales", "examples: {scales: " + file + "}"};
   if (kind == DocumentKind::set) return {"a set", "look: {scene: " + file + "}"};
+  if (kind == DocumentKind::texts)
+    return {"texts of pages", "questionnaire: {texts: " + file + "}"};
   assert(kind == DocumentKind::recipes);
   return {"recipes", "recipes: " + file};
 }
@@ -63,6 +80,7 @@ DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path
   consider(DocumentKind::scales, scales_schema());
   consider(DocumentKind::set, set_schema());
   consider(DocumentKind::recipes, recipes_schema());
+  consider(DocumentKind::texts, texts_schema());
   return best.second;
 }
 
@@ -80,6 +98,7 @@ std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem
     if (kind == DocumentKind::scales) read_scales(file);
     if (kind == DocumentKind::set) read_set(file.string(), file);
     if (kind == DocumentKind::recipes) read_recipes(file.string(), file);
+    if (kind == DocumentKind::texts) read_texts(file);
   } catch (const Faults& faults) {
     return faults.list();
   } catch (const Error& error) {

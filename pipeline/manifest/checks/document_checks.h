@@ -11,19 +11,20 @@
 namespace mien::pipeline {
 
 /// The kind of document that a YAML file contains.
-enum class DocumentKind { manifest, scales, set, recipes };
+enum class DocumentKind { manifest, scales, set, recipes, texts };
 
 /// Returns the kind whose schema knows the largest number of the document's top-level keys, where
 /// keys that the schema requires count twice; in a tie, the first in the order of DocumentKind. If
 /// no schema knows any of them, the kind follows from the file name (my.scales.yaml, my.set.yaml,
-/// my.recipes.yaml), with manifest as the default.
+/// my.recipes.yaml, my.texts.yaml), with manifest as the default.
 DocumentKind kind_of_document(std::string_view yaml, const std::filesystem::path& name);
 
 /// Returns the fault for a file of a kind other than manifest that was given as a manifest, with
 /// advice on how to refer to it.
 Fault not_a_manifest_fault(DocumentKind kind, const std::filesystem::path& file);
 
-/// Returns the faults of a scales, set or recipes file. Never throws because of the file's content.
+/// Returns the faults of a scales, set, recipes or texts file. Never throws because of the file's
+/// content.
 std::vector<Fault> check_other_document(DocumentKind kind, const std::filesystem::path& file);
 
 /// A recording of a study, as its provenance.json records it.

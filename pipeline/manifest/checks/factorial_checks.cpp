@@ -107,7 +107,7 @@ class FactorialCheck {
     std::vector<std::string> choices, others;
     const auto sort_in = [&](const auto& questions) {
       for (const auto& question : questions)
-        (question.answer.choices.size() > 1 ? choices : others).push_back(question.id);
+        (question.answer.choices.words.size() > 1 ? choices : others).push_back(question.id);
     };
     sort_in(asked_.screening.questions);
     sort_in(asked_.demographics);

@@ -71,6 +71,7 @@ std::vector<Fault> check_experiments(const ResolvedManifest& resolved) {
   if (!resolved.are_experiments_resolved) return {};
   std::vector<Fault> faults = check_questionnaire(resolved.manifest);
   append(faults, check_matching(resolved.manifest));
+  append(faults, check_languages(resolved.manifest));
   return faults;
 }
 

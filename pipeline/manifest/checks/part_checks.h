@@ -67,6 +67,10 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
 /// suitable file (check_shown_videos). The study's scales must have been read.
 std::vector<Fault> check_questionnaire(const Manifest& manifest);
 
+/// Returns faults of the languages of a questionnaire or a matching experiment: those without texts
+/// of pages, and texts, choices and scales that are not given in all languages offered.
+std::vector<Fault> check_languages(const Manifest& manifest);
+
 /// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);

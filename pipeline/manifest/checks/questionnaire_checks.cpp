@@ -249,7 +249,7 @@ class QuestionnaireCheck {
       for (std::size_t i = 0; i < questions.size(); ++i) {
         const std::string path = element_path(list_path, i);
         check_question_id(member_path(path, "id"), questions[i].id, taken);
-        check_answer_choices(member_path(path, "answer"), questions[i].answer.choices);
+        check_answer_choices(member_path(path, "answer"), questions[i].answer.choices.words);
       }
     };
     if (!questionnaire_.consent_version.empty() && questionnaire_.consent.empty())

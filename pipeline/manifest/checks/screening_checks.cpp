@@ -28,7 +28,7 @@ void check_range(FaultList& list, const std::string& path, const ScreeningQuesti
   for (std::size_t i = 0; i < range.choices.size(); ++i) {
     const bool is_single = list.was_given(element_path(path, 0));
     list.check_known_name(is_single ? element_path(path, i) : path, range.choices[i], "choice",
-                          question.answer.choices);
+                          question.answer.choices.words);
   }
 }
 
@@ -51,10 +51,10 @@ std::vector<Fault> check_screening(const Manifest& manifest) {
     ids.push_back(question.id);
     if (!question.accept.empty())
       check_range(list, member_path(path, "accept"), question, question.accept);
-    const bool is_all = !question.answer.choices.empty() &&
-                        std::ranges::all_of(question.answer.choices, [&](const std::string& one) {
-                          return question.accept.contains(one);
-                        });
+    const bool is_all =
+        !question.answer.choices.empty() &&
+        std::ranges::all_of(question.answer.choices.words,
+                            [&](const std::string& one) { return question.accept.contains(one); });
     if (is_all) list.add(member_path(path, "accept"), "every answer is accepted", "remove it");
   }
   for (std::size_t i = 0; i < screening.quotas.size(); ++i) {

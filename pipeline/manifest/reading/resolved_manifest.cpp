@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "motion/formats/keypoints/keypoint_frames.h"
@@ -14,6 +15,8 @@
 #include "pipeline/manifest/look/look_checks.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/reading/recipes.h"
+#include "pipeline/manifest/study_texts.h"
+#include "pipeline/manifest/texts/page_texts.h"
 
 namespace mien::pipeline {
 
@@ -51,7 +54,7 @@ std::vector<Fault> resolve_scales(ScalesSource& scales) {
 }
 
 /// Reads a text for participants, where it is in a file.
-void resolve_text(const std::string& path, TextSource& source, FaultList& list) {
+void resolve_text(const std::string& path, auto& source, FaultList& list) {
   if (source.file.empty()) return;
   const std::string at = member_path(path, "file");
   const motion::FileReading read = motion::bytes_of_file(source.file, motion::max_document_bytes);
@@ -65,10 +68,36 @@ void resolve_text(const std::string& path, TextSource& source, FaultList& list) 
 }
 
 /// Reads the texts for participants of a questionnaire or a matching experiment.
-void resolve_texts(const std::string& path, auto& experiment, FaultList& list) {
-  resolve_text(member_path(path, "consent"), experiment.consent, list);
-  resolve_text(member_path(path, "instructions"), experiment.instructions, list);
-  resolve_text(member_path(path, "ending"), experiment.ending, list);
+void resolve_texts(auto& experiment, FaultList& list) {
+  visit_texts(experiment, [&list](const std::string& path, auto& text) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(text)>, TextSource>) {
+      resolve_text(path, text, list);
+      for (auto& [language, translated] : text.by_language)
+        resolve_text(member_path(path, language), translated, list);
+    }
+  });
+}
+
+/// Reads the files of a study's own texts of pages.
+std::vector<Fault> resolve_own_texts(const std::string& path, OwnTexts& own, const Places& places) {
+  std::vector<Fault> faults;
+  own.texts.clear();
+  for (std::size_t i = 0; i < own.files.size(); ++i) {
+    FaultList list(places);
+    list.check_file(own.files.size() == 1 ? path : element_path(path, i), own.files[i],
+                    "a file of texts (YAML)", motion::max_document_bytes);
+    std::vector<Fault> missing = list.take();
+    if (!missing.empty()) {
+      append(faults, std::move(missing));
+      continue;
+    }
+    try {
+      own.texts.push_back(read_texts(own.files[i]));
+    } catch (const Faults& wrong) {
+      append(faults, wrong.list());
+    }
+  }
+  return faults;
 }
 
 std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places) {
@@ -88,13 +117,16 @@ std::vector<Fault> resolve_own_scales(ScaleChoice& scales, const Places& places)
 
 std::vector<Fault> resolve_experiments(Manifest& manifest) {
   FaultList list(manifest.places);
-  if (manifest.matching) resolve_texts("matching", *manifest.matching, list);
-  if (!manifest.questionnaire) return list.take();
-  Questionnaire& experiment = *manifest.questionnaire;
-  resolve_texts("questionnaire", experiment, list);
-  resolve_text("questionnaire.debriefing", experiment.debriefing, list);
-  resolve_text("questionnaire.analysis.plan", experiment.analysis.plan, list);
+  visit_experiments(manifest, [&list](auto& experiment) { resolve_texts(experiment, list); });
+  choose_first_language(manifest);
+  if (manifest.questionnaire)
+    resolve_text("questionnaire.analysis.plan", manifest.questionnaire->analysis.plan, list);
   std::vector<Fault> faults = list.take();
+  if (manifest.matching)
+    append(faults, resolve_own_texts("matching.texts", manifest.matching->texts, manifest.places));
+  if (!manifest.questionnaire) return faults;
+  Questionnaire& experiment = *manifest.questionnaire;
+  append(faults, resolve_own_texts("questionnaire.texts", experiment.texts, manifest.places));
   append(faults, resolve_own_scales(experiment.scales, manifest.places));
   return faults;
 }

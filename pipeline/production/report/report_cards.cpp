@@ -139,7 +139,7 @@ std::string contact_sheet(const std::string& id) {
 
 }  // namespace
 
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language) {
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
   const Synthesis& made = motions.of(stimulus.id);
   const std::string id = html_escaped(stimulus.id);
   std::string card =

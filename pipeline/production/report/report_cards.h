@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 /// The film of a stimulus, facts about it, warnings, lint errors and requested values; other
 /// details are collapsed. Names of parameters are in `language`.
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions, InterfaceLanguage language);
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language);
 
 /// The film of an overlay and the list of its motions.
 std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions);

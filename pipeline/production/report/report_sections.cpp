@@ -43,13 +43,6 @@ std::string alike(const Equalize& equalize) {
   return text;
 }
 
-/// The one that participants are spoken to in.
-InterfaceLanguage language_of(const Manifest& manifest) {
-  if (manifest.questionnaire) return manifest.questionnaire->language;
-  if (manifest.matching) return manifest.matching->language;
-  return InterfaceLanguage::english;
-}
-
 std::string card_grid(const std::string& cards) {
   return "<div class=\"cards\">\n" + cards + "</div>";
 }
@@ -83,7 +76,7 @@ std::string stimuli_section(const std::string& title, std::span<const Stimulus> 
                             const Manifest& manifest, Motions& motions) {
   std::string films;
   for (const Stimulus& stimulus : stimuli)
-    films += stimulus_card(stimulus, motions, language_of(manifest));
+    films += stimulus_card(stimulus, motions, name_language(manifest));
   const std::string foils = foil_table(stimuli, motions);
   return titled_section(title, alike(manifest.equalize) + card_grid(films)) +
          (foils.empty() ? "" : titled_section("Foils", foils));

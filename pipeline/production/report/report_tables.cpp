@@ -31,11 +31,9 @@ bool is_listed(const std::string& id, const Synthesis& made) {
 
 /// In the language, where there are words of it.
 std::string parameter_name(const std::string& id, const Stimulus& stimulus, Motions& motions,
-                           InterfaceLanguage language) {
+                           NameLanguage language) {
   const ParameterLabel label = label_of(id, stimulus, motions.repertoire());
-  const std::string japanese = japanese_text(label);
-  const bool is_japanese = language == InterfaceLanguage::japanese && !japanese.empty();
-  return html_escaped(is_japanese ? japanese : english_text(label));
+  return html_escaped(name_in(language, english_text(label), japanese_text(label)));
 }
 
 /// A name, a bar from 0 to 1, and cells of numbers.
@@ -72,7 +70,7 @@ std::string difference_text(const CertifiedAspect& aspect) {
 }  // namespace
 
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
-                            InterfaceLanguage language) {
+                            NameLanguage language) {
   if (made.weights.size() == 0) return "";
   std::string rows;
   const auto add = [&](const std::string& id, const std::string& requested,
@@ -93,7 +91,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
 }
 
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
-                             InterfaceLanguage language) {
+                             NameLanguage language) {
   if (made.weights.size() == 0) return "";
   std::string rows;
   int count = 0;

@@ -16,12 +16,12 @@ namespace mien::pipeline {
 /// Requested and held values of a stimulus, and the values reached; empty if it names no
 /// parameters. Names are in `language`.
 std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
-                            InterfaceLanguage language);
+                            NameLanguage language);
 
 /// The stimulus's values on all rated parameters that are neither requested nor held, collapsed;
 /// empty without ratings.
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
-                             InterfaceLanguage language);
+                             NameLanguage language);
 
 /// The examples with the largest weights in a motion; empty if it is not a blend.
 std::string weight_table(const Synthesis& made, Motions& motions);

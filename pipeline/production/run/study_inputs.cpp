@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
+#include "pipeline/manifest/study_texts.h"
 #include "scenes/character/character.h"
 #include "scenes/figures/figure.h"
 
@@ -14,6 +16,18 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Calls `visit` with each file of texts for participants.
+void visit_text_files(auto& experiment, const auto& visit) {
+  visit_texts(experiment, [&](const std::string&, auto& text) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(text)>, TextSource>) {
+      if (!text.file.empty()) visit(text.file);
+      for (auto& [language, translated] : text.by_language)
+        if (!translated.file.empty()) visit(translated.file);
+    }
+  });
+  for (auto& file : experiment.texts.files) visit(file);
+}
 
 /// Calls `visit` with each path of a manifest that names a file of which a copy is kept.
 template <MaybeConst<Manifest> M, class Visit>
@@ -26,19 +40,11 @@ void for_each_document(M& manifest, const Visit& visit) {
   };
   if (manifest.questionnaire) {
     auto& questionnaire = *manifest.questionnaire;
-    for (auto* text :
-         {&questionnaire.consent, &questionnaire.instructions, &questionnaire.debriefing,
-          &questionnaire.ending, &questionnaire.analysis.plan}) {
-      if (!text->file.empty()) visit(text->file);
-    }
+    visit_text_files(questionnaire, visit);
+    if (!questionnaire.analysis.plan.file.empty()) visit(questionnaire.analysis.plan.file);
     if (!questionnaire.scales.file.empty()) visit(questionnaire.scales.file);
   }
-  if (manifest.matching) {
-    auto& matching = *manifest.matching;
-    for (auto* text : {&matching.consent, &matching.instructions, &matching.ending}) {
-      if (!text->file.empty()) visit(text->file);
-    }
-  }
+  if (manifest.matching) visit_text_files(*manifest.matching, visit);
   for (auto& stimulus : manifest.stimuli)
     if (stimulus.audio && !stimulus.audio->file.empty()) visit(stimulus.audio->file);
   visit_set(manifest.look);

@@ -47,6 +47,8 @@ struct SheetContent {
   /// Requested parameters first, then the held ones, then all other rated ones.
   std::vector<SheetParameter> parameters;
   bool simulated_ratings = false;
+  /// Of parameters and joints, and of headings; not NameLanguage::study.
+  NameLanguage names = NameLanguage::english;
   std::vector<std::pair<std::string, std::string>> provenance;  ///< ("seed", "7"), …
 };
 

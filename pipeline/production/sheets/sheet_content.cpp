@@ -233,6 +233,7 @@ SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions
   if (!sheet.reference.empty()) {
     content.reference = sheet_motion(sheet.reference, motions);
   }
+  content.names = name_language(manifest);
   content.distance = motions.distance(sheet.target, sheet.created);
   const Values target = values_of(sheet.target, motions);
   const Values created = values_of(sheet.created, motions);

@@ -145,11 +145,13 @@ void draw_plot(Canvas& canvas, const JointCurves& curves, int axis, const Plot& 
               {.size = 7.0, .colour = quiet_ink, .align = Align::right});
 }
 
-void draw_joint(Canvas& canvas, const JointCurves& curves, double mean, const Box& box) {
-  const Box name =
-      canvas.text({box.x, box.y + 24.0}, spoken_name(curves.joint), {.size = 9.0, .bold = true});
-  canvas.text({name.right() + 5.0, box.y + 24.0},
-              fmt::format("{}  {:.3f} m", motion::japanese_name_of(curves.joint), mean),
+void draw_joint(Canvas& canvas, const JointCurves& curves, double mean, NameLanguage names,
+                const Box& box) {
+  const Box name = canvas.text({box.x, box.y + 24.0},
+                               name_in(names, spoken_name(curves.joint),
+                                       std::string(motion::japanese_name_of(curves.joint))),
+                               {.size = 9.0, .bold = true});
+  canvas.text({name.right() + 5.0, box.y + 24.0}, fmt::format("{:.3f} m", mean),
               {.size = 8.0, .colour = quiet_ink});
   const double span = common_span(curves);
   const double labels = 24.0;
@@ -174,6 +176,7 @@ void draw_curves(Canvas& canvas, const SheetContent& content, const Box& box) {
   const double width = (box.width - 2.0 * gap) / shown_joints;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     draw_joint(canvas, curves[i], means[static_cast<std::size_t>(curves[i].joint - 1)],
+               content.names,
                {box.x + static_cast<double>(i) * (width + gap), box.y, width, box.height});
   }
 }

@@ -14,7 +14,6 @@ namespace {
 /// A motion's figures at the eleven times.
 struct FigureRow {
   std::string title;
-  std::string japanese;
   std::vector<std::string> remarks;
   Colour title_colour = ink;
   struct Layer {
@@ -38,11 +37,10 @@ FigureRow::Layer layer_of(const SheetContent& content, const SheetMotion& shown,
   return layer;
 }
 
-FigureRow row_of(const SheetContent& content, const SheetMotion& shown, std::string title,
-                 std::string japanese, const MotionColours& colours) {
+FigureRow row_of(const SheetContent& content, const SheetMotion& shown, const char* title,
+                 const char* japanese, const MotionColours& colours) {
   return {
-      std::move(title),
-      std::move(japanese),
+      name_in(content.names, title, japanese),
       {shown.id, fmt::format("{:.2f} s, {}", shown.motion.clip.duration_seconds(), shown.origin)},
       colours.line,
       {layer_of(content, shown, colours)}};
@@ -55,8 +53,7 @@ std::vector<FigureRow> rows_of(const SheetContent& content) {
   }
   rows.push_back(row_of(content, content.target, "Target", "目標", target_colours));
   rows.push_back(row_of(content, content.created, "Created", "作成", created_colours));
-  rows.push_back({"Overlay",
-                  "重ね合わせ",
+  rows.push_back({name_in(content.names, "Overlay", "重ね合わせ"),
                   {"thick: target, thin: created", "lighter limbs: left side"},
                   ink,
                   {layer_of(content, content.target, target_pale, 1.7),
@@ -76,10 +73,9 @@ FigureExtent extent_of(const std::vector<FigureRow>& rows) {
 
 void draw_row_title(Canvas& canvas, const FigureRow& row, const Box& box) {
   const double middle = box.y + 0.5 * box.height;
-  const Box title = canvas.text({box.x, middle - 8.0}, row.title,
-                                {.size = 11.0, .colour = row.title_colour, .bold = true});
-  canvas.text({title.right() + 5.0, middle - 8.0}, row.japanese,
-              {.size = 9.0, .colour = row.title_colour});
+  canvas.text(
+      {box.x, middle - 8.0}, row.title,
+      {.size = 11.0, .colour = row.title_colour, .bold = true, .max_width = name_width - 6.0});
   double baseline = middle + 5.0;
   for (const std::string& remark : row.remarks) {
     canvas.text({box.x, baseline}, remark,

@@ -10,8 +10,14 @@ using motion::BodyJoint;
 
 constexpr double cell_gap = 0.8;
 
-void draw_joint_name(Canvas& canvas, BodyJoint joint, const Box& row) {
+void draw_joint_name(Canvas& canvas, BodyJoint joint, NameLanguage names, const Box& row) {
   const double baseline = row.middle() + 2.9;
+  if (names != NameLanguage::both) {
+    canvas.text({row.x, baseline},
+                name_in(names, spoken_name(joint), std::string(motion::japanese_name_of(joint))),
+                {.size = 8.0, .max_width = name_width - 8.0});
+    return;
+  }
   canvas.text({row.x, baseline}, spoken_name(joint), {.size = 8.0});
   canvas.text({row.x + name_width - 8.0, baseline}, motion::japanese_name_of(joint),
               {.size = 7.5, .colour = quiet_ink, .align = Align::right});
@@ -47,7 +53,7 @@ void draw_heat_map(Canvas& canvas, const SheetContent& content, const Box& box) 
   draw_colour_scale(canvas, limit, {box.right() - 226.0, box.y + 3.0, 180.0, 7.0});
   for (int j = 1; j <= motion::distance_joints; ++j) {
     const Box row = joint_row(box, j);
-    draw_joint_name(canvas, BodyJoint(j), row);
+    draw_joint_name(canvas, BodyJoint(j), content.names, row);
     for (int t = 0; t < motion::distance_times; ++t) {
       const Box column = time_column(box, t);
       const double amount = content.distance.by_joint_and_time(j - 1, t);

@@ -112,33 +112,29 @@ void draw_requested_and_reached(Canvas& canvas, const ParameterColumns& columns,
 
 double bars_right(const Box& box) { return value_columns(box).target - 34.0; }
 
-/// A name in English with the Japanese behind it, or before `x` when aligned right.
-void draw_both_names(Canvas& canvas, Point baseline, const std::string& english,
-                     const std::string& japanese, Align align, double max_width) {
-  const std::string both = japanese.empty() ? english : english + " " + japanese;
-  canvas.text(baseline, both, {.size = 8.0, .align = align, .max_width = max_width});
+void draw_name(Canvas& canvas, Point baseline, const std::string& name, Align align,
+               double max_width) {
+  canvas.text(baseline, name, {.size = 8.0, .align = align, .max_width = max_width});
 }
 
-void draw_names(Canvas& canvas, const SheetParameter& parameter, double left, double right,
-                double baseline) {
-  if (!parameter.name.empty()) {
-    draw_both_names(canvas, {left, baseline}, parameter.name, parameter.japanese, Align::left,
-                    right - left);
-    return;
-  }
+void draw_names(Canvas& canvas, const SheetParameter& parameter, NameLanguage names, double left,
+                double right, double baseline) {
+  if (!parameter.name.empty())
+    return draw_name(canvas, {left, baseline}, name_in(names, parameter.name, parameter.japanese),
+                     Align::left, right - left);
   const double half = 0.5 * (right - left) - 4.0;
-  draw_both_names(canvas, {left, baseline}, parameter.low, parameter.japanese_low, Align::left,
-                  half);
-  draw_both_names(canvas, {right, baseline}, parameter.high, parameter.japanese_high, Align::right,
-                  half);
+  draw_name(canvas, {left, baseline}, name_in(names, parameter.low, parameter.japanese_low),
+            Align::left, half);
+  draw_name(canvas, {right, baseline}, name_in(names, parameter.high, parameter.japanese_high),
+            Align::right, half);
 }
 
 /// Discs where the motions are, short strokes across the track at the requested values.
-void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row,
-                 const ParameterColumns& columns) {
+void draw_slider(Canvas& canvas, const SheetParameter& parameter, NameLanguage names,
+                 const Box& row, const ParameterColumns& columns) {
   const double right = columns.sliders;
   const double track = std::min(row.bottom() - 6.0, row.y + 13.0);
-  draw_names(canvas, parameter, row.x, right, row.y + 8.0);
+  draw_names(canvas, parameter, names, row.x, right, row.y + 8.0);
   canvas.line({row.x, track}, {right, track}, {.width = 1.2, .colour = hairline});
   const auto at = [&](double value) {
     return Point{row.x + std::clamp(value, 0.0, 1.0) * (right - row.x), track};
@@ -163,9 +159,9 @@ void draw_slider(Canvas& canvas, const SheetParameter& parameter, const Box& row
 }
 
 /// A parameter that neither motion requests, in one line.
-void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, const Box& row,
-                          const ParameterColumns& columns) {
-  draw_names(canvas, parameter, row.x, columns.sliders, row.y + 8.0);
+void draw_plain_parameter(Canvas& canvas, const SheetParameter& parameter, NameLanguage names,
+                          const Box& row, const ParameterColumns& columns) {
+  draw_names(canvas, parameter, names, row.x, columns.sliders, row.y + 8.0);
   draw_requested_and_reached(canvas, columns, row.y + 8.0, parameter);
 }
 
@@ -238,7 +234,7 @@ void draw_remark(Canvas& canvas, const Box& box, double baseline, const std::str
 ValueColumns value_columns(const Box& box) { return {box.right() - 42.0, box.right()}; }
 
 void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box) {
-  draw_heading(canvas, {box.x, box.y + 10.0}, "Parameters", "指標");
+  draw_heading(canvas, {box.x, box.y + 10.0}, name_in(content.names, "Parameters", "指標"));
   if (content.parameters.empty()) {
     draw_remark(canvas, box, box.y + heading_height + 6.0,
                 "Neither motion has requested parameters.");
@@ -258,15 +254,15 @@ void draw_parameters(Canvas& canvas, const SheetContent& content, const Box& box
       return;
     }
     if (parameter.is_requested()) {
-      draw_slider(canvas, parameter, row, columns);
+      draw_slider(canvas, parameter, content.names, row, columns);
     } else {
-      draw_plain_parameter(canvas, parameter, row, columns);
+      draw_plain_parameter(canvas, parameter, content.names, row, columns);
     }
   }
 }
 
 void draw_weights(Canvas& canvas, const SheetContent& content, const Box& box) {
-  draw_heading(canvas, {box.x, box.y + 10.0}, "Blend weights", "混合比");
+  draw_heading(canvas, {box.x, box.y + 10.0}, name_in(content.names, "Blend weights", "混合比"));
   const auto rows = static_cast<std::size_t>((box.height - heading_height + 6.0) / weight_row);
   const std::vector<WeightPair> pairs = largest(weight_pairs(content), rows);
   if (pairs.empty()) {

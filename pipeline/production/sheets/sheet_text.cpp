@@ -11,8 +11,9 @@ namespace mien::pipeline {
 
 namespace {
 
-void draw_unrated_mark(Canvas& canvas, const Box& box) {
-  const Box pill = draw_simulated_mark(canvas, {box.right(), box.y}, simulated_ratings_mark, 11.0);
+void draw_unrated_mark(Canvas& canvas, NameLanguage names, const Box& box) {
+  const Box pill = draw_simulated_mark(canvas, {box.right(), box.y},
+                                       name_in(names, "Simulated ratings", "模擬評定"), 11.0);
   canvas.text({box.right(), pill.bottom() + 14.0},
               "simulated ratings; no participants have rated the examples",
               {.size = 8.0, .colour = caution_ink, .align = Align::right});
@@ -77,7 +78,7 @@ void draw_header(Canvas& canvas, const SheetContent& content, const Box& box) {
               {.size = 21.0, .bold = true, .max_width = width});
   canvas.text({box.x, box.y + 38.0}, "Study " + content.study,
               {.size = 10.0, .colour = quiet_ink, .max_width = width});
-  if (content.simulated_ratings) draw_unrated_mark(canvas, box);
+  if (content.simulated_ratings) draw_unrated_mark(canvas, content.names, box);
 }
 
 void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {

@@ -42,6 +42,12 @@ ParameterLabel label_of(std::string_view id, const Stimulus& stimulus,
   return stimulus.features.empty() ? rating_label(id, repertoire.scales) : feature_label(id);
 }
 
+std::string name_in(NameLanguage language, const std::string& english,
+                    const std::string& japanese) {
+  if (japanese.empty() || language == NameLanguage::english) return english;
+  return language == NameLanguage::japanese ? japanese : english + " " + japanese;
+}
+
 std::string english_text(const ParameterLabel& label) {
   return label.name.empty() ? label.low + " – " + label.high : label.name;
 }

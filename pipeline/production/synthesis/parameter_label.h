@@ -29,6 +29,10 @@ ParameterLabel feature_label(std::string_view id);
 ParameterLabel label_of(std::string_view id, const Stimulus& stimulus,
                         const Repertoire& repertoire);
 
+/// A name in the language of names, which is not NameLanguage::study: "step length", "歩幅", or
+/// "step length 歩幅". In English if there is no Japanese name.
+std::string name_in(NameLanguage language, const std::string& english, const std::string& japanese);
+
 /// "quickness", "sad – happy".
 std::string english_text(const ParameterLabel& label);
 /// 速さ, 悲しい – 嬉しい; empty if there is no Japanese name.

@@ -51,6 +51,7 @@ void add_texts(ordered_json& slider, const std::string& name, const ScaleSet& sc
   slider["texts"]["en"] = {scale->low, scale->high};
   if (!scale->japanese_low.empty() && !scale->japanese_high.empty())
     slider["texts"]["ja"] = {scale->japanese_low, scale->japanese_high};
+  for (const auto& [language, ends] : scale->words) slider["texts"][language] = ends;
 }
 
 /// Whether a slider is shown at once.

@@ -4,6 +4,7 @@ import { build } from "esbuild";
 import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { noScriptText, writeTexts } from "./texts.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2];
@@ -72,6 +73,8 @@ async function licencesOf(scripts, inputs) {
   return licences;
 }
 
+await writeTexts(here);
+const noScript = await noScriptText(here);
 for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
   const source = join(here, "src", name);
   const out = join(folder, name);
@@ -92,6 +95,10 @@ for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
     logLevel: "warning",
   });
   for (const file of files) await cp(join(source, file), join(out, file));
+  if (files.includes("index.html")) {
+    const page = await readFile(join(source, "index.html"), "utf8");
+    await writeFile(join(out, "index.html"), page.replace("<!-- no script -->", noScript));
+  }
   const licences = await licencesOf(scripts, Object.keys(result.metafile.inputs));
   if (licences) await writeFile(join(out, "LICENSES.txt"), licences);
 }

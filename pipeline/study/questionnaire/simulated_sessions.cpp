@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/statistics/named_random.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/trials/trial_kind.h"
 #include "pipeline/tasks/hash.h"
@@ -111,6 +113,15 @@ OrderedJson with_former_keys(const OrderedJson& questionnaire) {
   return former;
 }
 
+/// The names of the ends of all scales in a language.
+std::string words_of_scales(const Manifest& manifest, const std::string& language) {
+  std::string words = language + "\n";
+  for (const Scale& scale : questionnaire_scales(manifest).scales)
+    if (const auto ends = ends_in(scale, language))
+      words += fmt::format("{}|{}\n", (*ends)[0], (*ends)[1]);
+  return words;
+}
+
 }  // namespace
 
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
@@ -136,9 +147,13 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
   questionnaire.screening.quotas = {};
   questionnaire.analysis = {};
   const Recruitment recruitment = std::exchange(questionnaire.recruitment, {});
-  for (TextSource* text : {&questionnaire.consent, &questionnaire.instructions,
-                           &questionnaire.debriefing, &questionnaire.ending})
-    text->file.clear();
+  visit_texts(questionnaire, [](const std::string&, auto& text) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(text)>, TextSource>) {
+      text.file.clear();
+      for (auto& [language, translated] : text.by_language) translated.file.clear();
+    }
+  });
+  const OwnTexts own = std::exchange(questionnaire.texts, {});
   questionnaire.scales.file.clear();
   std::string all = title_of(manifest) + "\n" +
                     with_former_keys(written(questionnaire, WritingOptions{})).dump() + "\n";
@@ -149,6 +164,9 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
     all +=
         fmt::format("{}|{}|{}|{}|{}|{}|{}\n", scale.id, scale.low, scale.high, scale.japanese_low,
                     scale.japanese_high, shortest(scale.least), shortest(scale.most));
+  for (const PageTexts& texts : own.texts) all += texts.language + texts.texts.dump() + "\n";
+  for (const std::string& language : questionnaire.language.offered)
+    if (questionnaire.language.by_browser) all += words_of_scales(manifest, language);
   for (const SessionPlan& plan : plans) all += fmt::format("{}\n", fmt::join(plan.choices, "|"));
   std::string plans_text = plans_csv(plans);
   constexpr std::string_view check_column = "is_check";

@@ -44,5 +44,26 @@ TEST(Determinants, OfAMotionHoldEveryOptionOfInterpolation) {
   EXPECT_EQ(keys.size(), std::size(changes));
 }
 
+TEST(Determinants, OfPagesHoldNamesOnlyWhereTheyAreNotEnglish) {
+  const auto key_of = [](NameLanguage names, const char* language) {
+    Manifest manifest;
+    manifest.names = names;
+    if (language != nullptr) {
+      manifest.matching.emplace();
+      manifest.matching->language = {{language}, false};
+    }
+    KeyBuilder key;
+    add_page(key, manifest);
+    return key.key();
+  };
+  const Hash english = key_of(NameLanguage::study, nullptr);
+  EXPECT_EQ(key_of(NameLanguage::english, nullptr), english);
+  EXPECT_EQ(key_of(NameLanguage::english, "ja"), english);
+  EXPECT_EQ(key_of(NameLanguage::study, "de"), english);
+  EXPECT_NE(key_of(NameLanguage::both, nullptr), english);
+  EXPECT_NE(key_of(NameLanguage::study, "ja"), english);
+  EXPECT_EQ(key_of(NameLanguage::study, "ja"), key_of(NameLanguage::japanese, nullptr));
+}
+
 }  // namespace
 }  // namespace mien::pipeline

@@ -18,6 +18,7 @@ constexpr auto participant_columns = table_of<ParticipantRow>(
      {"screening_fault", "",
       "why the screening turned the participant away: answer, window, refresh_hz, sound or quota",
       [](auto& r) { return r.screening_fault; }},
+     {"language", "", "language of the pages (BCP 47)", [](auto& r) { return r.language; }},
      {"consent_version", "", "version of the consent text",
       [](auto& r) { return r.consent_version; }},
      {"consent_sha256", "", "SHA-256 of the consent text",

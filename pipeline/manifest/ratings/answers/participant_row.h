@@ -16,6 +16,7 @@ struct ParticipantRow {
   bool has_finished = false;
   std::string ended;            ///< "completed" or "screened_out"; empty: under way or broken off
   std::string screening_fault;  ///< why the screening turned the participant away; or empty
+  std::string language;         ///< of the pages (BCP 47); empty: unknown
   std::string consent_version;  ///< of the consent text; may be empty
   std::string consent_sha256;   ///< of the consent text; empty if the study has none
   std::vector<std::string> answers;  ///< answers to the questions about the participant

@@ -27,6 +27,12 @@ Scale scale_from(const std::string& id, const json& given, Range range) {
     scale.japanese_low = given["ja"][0];
     scale.japanese_high = given["ja"][1];
   }
+  for (const char* language : {"de", "fr", "es", "fi", "zh", "ar"})
+    if (given.contains(language))
+      scale.words.emplace_back(language, given[language].get<std::array<std::string, 2>>());
+  if (given.contains("in"))
+    for (const auto& [language, ends] : given["in"].items())
+      scale.words.emplace_back(language, ends.get<std::array<std::string, 2>>());
   if (given.contains("range")) range = given["range"].get<Range>();
   scale.least = range[0];
   scale.most = range[1];
@@ -140,6 +146,15 @@ const Scale* find_scale(const ScaleSet& set, std::string_view id) {
     if (scale.id == id) return &scale;
   }
   return nullptr;
+}
+
+std::optional<std::array<std::string, 2>> ends_in(const Scale& scale, std::string_view language) {
+  if (language == "en") return std::array{scale.low, scale.high};
+  if (language == "ja" && !scale.japanese_low.empty())
+    return std::array{scale.japanese_low, scale.japanese_high};
+  for (const auto& [tag, ends] : scale.words)
+    if (tag == language) return ends;
+  return std::nullopt;
 }
 
 std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -23,6 +25,9 @@ struct Scale {
 
   /// For simulated raters only: the weight of each style impression (simulated_raters.h).
   std::vector<std::pair<std::string, double>> loadings = {};
+
+  /// Names of the ends, low and high, in further languages, by tag (BCP 47).
+  std::vector<std::pair<std::string, std::array<std::string, 2>>> words = {};
 };
 
 /// A group of scales whose mean is a parameter.
@@ -51,6 +56,7 @@ ScaleSet builtin_scales();
 ///     range: [-3, 3]              # of every scale that does not give its own
 ///     scales:
 ///       extraversion: {low: introverted, high: extraverted, ja: [内向的な, 外向的な]}
+///       calmness: {low: nervous, high: calm, de: [nervös, ruhig], in: {sv: [nervös, lugn]}}
 ///     groups:                     # optional
 ///       energy: {scales: [extraversion], ja: 活力}
 ///     languages:                  # optional: for answers in words
@@ -62,6 +68,9 @@ ScaleSet parse_scales(std::string_view yaml, const std::string& file);
 
 /// Returns the scale with that id, or nullptr.
 const Scale* find_scale(const ScaleSet& set, std::string_view id);
+
+/// Returns the names of a scale's ends, low and high, in a language; nullopt if it has none.
+std::optional<std::array<std::string, 2>> ends_in(const Scale& scale, std::string_view language);
 
 /// Returns all scales by id, for repeated look-ups. The pointers refer to `set`.
 std::unordered_map<std::string_view, const Scale*> scales_by_id(const ScaleSet& set);

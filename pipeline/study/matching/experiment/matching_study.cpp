@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/tasks/hash.h"
 
@@ -104,29 +105,40 @@ ordered_json settings_of(const Manifest& manifest, const motion::LiveBundle& bun
   return settings;
 }
 
+/// The experiment in the only language that its manifest offers, without its hash.
+ordered_json experiment_in_language(const Manifest& manifest, const motion::LiveBundle& bundle,
+                                    const std::vector<SessionPlan>& plans) {
+  const Matching& matching = *manifest.matching;
+  const auto texts_of = [&](const TextSource& source) {
+    return paragraphs_of(source.text, matching.language.first());
+  };
+  return {{"format", "mien-matching-1"},
+          {"study", manifest.study},
+          {"title", title_of(manifest)},
+          {"language", matching.language.first()},
+          {"design", ""},
+          {"simulated", false},
+          {"texts",
+           {{"consent", texts_of(matching.consent)},
+            {"instructions", texts_of(matching.instructions)},
+            {"ending", texts_of(matching.ending)}}},
+          {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
+          {"matching", settings_of(manifest, bundle)},
+          {"items", ordered_json::object()},
+          {"demographics", demographics_json(matching.demographics)},
+          {"media", ordered_json::object()},
+          {"stimuli", ordered_json::object()},
+          {"sessions", sessions_of(plans)}};
+}
+
 ordered_json experiment_of(const Manifest& manifest, const motion::LiveBundle& bundle,
                            const std::vector<SessionPlan>& plans) {
   const Matching& matching = *manifest.matching;
-  const auto texts_of = [&](const TextSource& source) {
-    return paragraphs_of(source.text, matching.language);
+  const auto in = [&](const std::string& language) {
+    return experiment_in_language(in_language(manifest, language), bundle, plans);
   };
-  ordered_json experiment = {{"format", "mien-matching-1"},
-                             {"study", manifest.study},
-                             {"title", title_of(manifest)},
-                             {"language", word_of(language_words, matching.language)},
-                             {"design", ""},
-                             {"simulated", false},
-                             {"texts",
-                              {{"consent", texts_of(matching.consent)},
-                               {"instructions", texts_of(matching.instructions)},
-                               {"ending", texts_of(matching.ending)}}},
-                             {"settings", {{"phones", word_of(phones_words, matching.phones)}}},
-                             {"matching", settings_of(manifest, bundle)},
-                             {"items", ordered_json::object()},
-                             {"demographics", demographics_json(matching.demographics)},
-                             {"media", ordered_json::object()},
-                             {"stimuli", ordered_json::object()},
-                             {"sessions", sessions_of(plans)}};
+  ordered_json experiment = in(matching.language.first());
+  add_languages(experiment, matching.language, matching.texts, in);
   experiment["design"] = hash_of(experiment.dump());
   return experiment;
 }

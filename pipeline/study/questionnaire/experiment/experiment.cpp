@@ -1,11 +1,14 @@
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 #include "motion/text/words.h"
 #include "pipeline/base/documents/sha256.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
@@ -14,10 +17,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The label of an end in the language of the questionnaire, or in English where there is none.
-const std::string& end_label(const std::string& english, const std::string& japanese,
-                             InterfaceLanguage language) {
-  return language == InterfaceLanguage::japanese && !japanese.empty() ? japanese : english;
+/// Names of the ends of a scale in a language, or the English ones where there are none.
+std::array<std::string, 2> ends_of(const Scale& scale, std::string_view language) {
+  return ends_in(scale, language).value_or(std::array{scale.low, scale.high});
 }
 
 ordered_json items_json(const Manifest& manifest) {
@@ -26,8 +28,9 @@ ordered_json items_json(const Manifest& manifest) {
   for (const Scale& scale : questionnaire_scales(manifest).scales) {
     const ordered_json start =
         asked.answer.starts_at == StartsAt::middle ? ordered_json("middle") : ordered_json(nullptr);
-    items[scale.id] = {{"low", end_label(scale.low, scale.japanese_low, asked.language)},
-                       {"high", end_label(scale.high, scale.japanese_high, asked.language)},
+    const auto [low, high] = ends_of(scale, asked.language.first());
+    items[scale.id] = {{"low", low},
+                       {"high", high},
                        {"points", asked.answer.points},
                        {"slider", asked.answer.slider},
                        {"words", asked.answer.words},
@@ -35,7 +38,8 @@ ordered_json items_json(const Manifest& manifest) {
                        {"default", start},
                        {"least", scale.least},
                        {"most", scale.most}};
-    if (!asked.answer.suggest.empty()) items[scale.id]["suggest"] = asked.answer.suggest;
+    if (!asked.answer.suggest.words.empty())
+      items[scale.id]["suggest"] = asked.answer.suggest.words;
     if (asked.preference.ties) items[scale.id]["ties"] = true;
     if (asked.preference.strength) items[scale.id]["strength"] = true;
   }
@@ -58,7 +62,7 @@ ordered_json settings_json(const Questionnaire& asked) {
                            {"comments", asked.comments},
                            {"phones", word_of(phones_words, asked.phones)},
                            {"view", word_of(shown_as_words, asked.view)},
-                           {"question", asked.question}};
+                           {"question", asked.question.text}};
   if (asked.display.size.kind != DisplaySize::Kind::window)
     settings["display"] = {{"size", DisplaySizeForm::write(asked.display.size, {})},
                            {"distance_cm", asked.display.distance_cm}};
@@ -144,7 +148,7 @@ void add_media(ordered_json& experiment, const MediaFiles& media) {
 
 }  // namespace
 
-std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage language) {
+std::vector<std::string> paragraphs_of(std::string_view text, std::string_view language) {
   std::vector<std::string> paragraphs;
   std::string current;
   const auto put = [&] {
@@ -161,8 +165,7 @@ std::vector<std::string> paragraphs_of(std::string_view text, InterfaceLanguage 
       put();
       continue;
     }
-    // Japanese is written without spaces.
-    if (!current.empty() && language != InterfaceLanguage::japanese) current += ' ';
+    if (!current.empty() && !is_written_without_spaces(language)) current += ' ';
     current += line;
   }
   put();
@@ -173,24 +176,54 @@ ordered_json demographics_json(const std::vector<Demographic>& demographics) {
   ordered_json questions = ordered_json::array();
   for (const Demographic& one : demographics) {
     ordered_json answer = one.answer.is_number ? "number" : "text";
-    if (!one.answer.choices.empty()) answer = one.answer.choices;
+    if (!one.answer.choices.empty()) answer = one.answer.choices.words;
     questions.push_back(
-        {{"id", one.id}, {"ask", one.ask}, {"answer", answer}, {"required", one.required}});
+        {{"id", one.id}, {"ask", one.ask.text}, {"answer", answer}, {"required", one.required}});
   }
   return questions;
 }
 
-ordered_json experiment_json(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                             const MediaFiles& media) {
+ordered_json language_json(const ordered_json& experiment, const ordered_json& first) {
+  ordered_json shown = ordered_json::object();
+  for (const char* member :
+       {"title", "texts", "consent", "settings", "items", "choices", "screening", "demographics"})
+    if (experiment.contains(member)) shown[member] = experiment[member];
+  const auto record_first = [](ordered_json& questions, const ordered_json& recorded) {
+    for (std::size_t i = 0; i < questions.size(); ++i)
+      if (questions[i]["answer"].is_array()) questions[i]["values"] = recorded[i]["answer"];
+  };
+  record_first(shown["demographics"], first["demographics"]);
+  if (shown.contains("screening") && shown["screening"].contains("questions"))
+    record_first(shown["screening"]["questions"], first["screening"]["questions"]);
+  return shown;
+}
+
+void add_languages(ordered_json& experiment, const PageLanguage& language, const OwnTexts& own,
+                   const std::function<ordered_json(const std::string&)>& in_language) {
+  if (language.by_browser) {
+    ordered_json languages = ordered_json::object();
+    for (const std::string& tag : language.offered)
+      languages[tag] = tag == language.first() ? ordered_json::object()
+                                               : language_json(in_language(tag), experiment);
+    experiment["languages"] = std::move(languages);
+  }
+  for (const PageTexts& texts : own.texts) experiment["page_texts"][texts.language] = texts.texts;
+}
+
+namespace {
+
+/// The experiment in the only language that its manifest offers, without media.
+ordered_json experiment_in_language(const Manifest& manifest, const ordered_json& sessions,
+                                    const std::string& design) {
   const Questionnaire& asked = questionnaire_of(manifest);
   const auto texts_of = [&](const TextSource& source) {
-    return paragraphs_of(source.text, asked.language);
+    return paragraphs_of(source.text, asked.language.first());
   };
   ordered_json experiment = {{"format", "mien-questionnaire-1"},
                              {"study", manifest.study},
                              {"title", title_of(manifest)},
-                             {"language", word_of(language_words, asked.language)},
-                             {"design", design_hash(manifest, plans)},
+                             {"language", asked.language.first()},
+                             {"design", design},
                              {"simulated", false},
                              {"texts",
                               {{"consent", texts_of(asked.consent)},
@@ -201,13 +234,27 @@ ordered_json experiment_json(const Manifest& manifest, const std::vector<Session
                              {"items", items_json(manifest)},
                              {"choices", choices_json(manifest)},
                              {"demographics", demographics_json(asked.demographics)},
-                             {"sessions", sessions_json(manifest, plans)}};
+                             {"sessions", sessions}};
   if (ordered_json consent = consent_json(asked); !consent.is_null())
     experiment["consent"] = std::move(consent);
   if (!asked.screening.empty())
     experiment["screening"] = written(asked.screening, WritingOptions{});
   if (ordered_json recruitment = recruitment_json(asked); !recruitment.is_null())
     experiment["recruitment"] = std::move(recruitment);
+  return experiment;
+}
+
+}  // namespace
+
+ordered_json experiment_json(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                             const MediaFiles& media) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const std::string design = design_hash(manifest, plans);
+  ordered_json experiment = experiment_in_language(in_language(manifest, asked.language.first()),
+                                                   sessions_json(manifest, plans), design);
+  add_languages(experiment, asked.language, asked.texts, [&](const std::string& language) {
+    return experiment_in_language(in_language(manifest, language), nullptr, design);
+  });
   add_media(experiment, media);
   return experiment;
 }

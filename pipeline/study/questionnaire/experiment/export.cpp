@@ -60,7 +60,7 @@ ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
     variables.push_back(variable(column.name, column.meaning, column.unit));
-  for (const char* name : {"consented_at", "finished", "ended", "screening_fault",
+  for (const char* name : {"consented_at", "finished", "ended", "screening_fault", "language",
                            "consent_version", "consent_sha256"})
     variables.push_back(variable(name, find_column(participant_form, name)->meaning));
   if (questionnaire_of(manifest).screening.sound) {
@@ -68,9 +68,9 @@ ordered_json dataset_description(const Manifest& manifest) {
     variables.push_back(variable("tones_2", "the same at the second attempt, after a wrong count"));
   }
   for (const ScreeningQuestion& question : questionnaire_of(manifest).screening.questions)
-    variables.push_back(variable(question.id, question.ask));
+    variables.push_back(variable(question.id, question.ask.text));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
-    variables.push_back(variable(question.id, question.ask));
+    variables.push_back(variable(question.id, question.ask.text));
   const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
   for (const std::string& name : kept_parameters(recruitment))
     variables.push_back(variable(parameter_column(name),

@@ -57,6 +57,14 @@ std::vector<ItemResponse> answers_about_participant(const std::vector<StoredReco
   return answers;
 }
 
+/// The consent text that was shown; null if its language is unknown and there are several.
+const ConsentText* consent_text(const QuestionnaireFacts& facts, const PageRecord& consent) {
+  const auto shown = facts.consents.find(consent.language);
+  if (shown != facts.consents.end()) return &shown->second;
+  if (facts.consents.size() == 1) return &facts.consents.begin()->second;
+  return consent.consent ? &*consent.consent : nullptr;
+}
+
 /// The row of a session, without answers.
 ParticipantRow participant_row(const QuestionnaireFacts& facts, const SessionState& state,
                                const PageRecord& consent) {
@@ -64,8 +72,11 @@ ParticipantRow participant_row(const QuestionnaireFacts& facts, const SessionSta
                         .session = consent.session,
                         .design = facts.design,
                         .has_finished = state.has_finished(),
-                        .consent_version = facts.consent.version,
-                        .consent_sha256 = facts.consent.sha256};
+                        .language = consent.language};
+  if (const ConsentText* text = consent_text(facts, consent)) {
+    row.consent_version = text->version;
+    row.consent_sha256 = text->sha256;
+  }
   if (row.has_finished) row.ended = word_of(session_end_words, SessionEnd::completed);
   if (state.ended) row.ended = word_of(session_end_words, *state.ended);
   if (state.ended == SessionEnd::screened_out)

@@ -75,6 +75,13 @@ std::optional<ConsentText> read_consent(const nlohmann::json* text) {
   return consent;
 }
 
+/// The consent text of an experiment, or of what it shows in another language.
+ConsentText consent_of(const nlohmann::ordered_json& shown) {
+  const auto consent = shown.find("consent");
+  if (consent == shown.end()) return {};
+  return {consent->at("version"), consent->at("sha256")};
+}
+
 const std::string& hash_at(const std::map<std::string, std::string>& hashes,
                            const std::string& stimulus) {
   static const std::string none;
@@ -143,8 +150,10 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
     asked.is_number = answer == "number";
     facts.questions.push_back(asked);
   }
-  if (const auto consent = experiment.find("consent"); consent != experiment.end())
-    facts.consent = {consent->at("version"), consent->at("sha256")};
+  facts.consents[experiment.value("language", "en")] = consent_of(experiment);
+  if (const auto languages = experiment.find("languages"); languages != experiment.end())
+    for (const auto& [language, shown] : languages->items())
+      if (!shown.empty()) facts.consents[language] = consent_of(shown);
   facts.screening = screening_of(experiment);
   if (const auto found = experiment.find("recruitment"); found != experiment.end()) {
     facts.recruitment.url_parameters = found->at("url_parameters");
@@ -188,6 +197,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.shown_degrees = reader.amount("shown_degrees", 180.0);
   record.url_parameters = read_url_parameters(reader.find("url_parameters"));
   record.consent = read_consent(reader.find("consent"));
+  if (reader.find("language") != nullptr) record.language = reader.name("language");
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);

@@ -46,7 +46,8 @@ struct QuestionnaireFacts {
   bool simulated = false;
   ResponseScales scales;
   std::vector<std::string> choices;  ///< ids of the choices in emotion trials
-  ConsentText consent;
+  /// The consent text in each language of the pages, by tag.
+  std::map<std::string, ConsentText> consents;
   Screening screening;
   std::vector<DemographicQuestion> questions;
   RecruitmentFacts recruitment;
@@ -75,6 +76,7 @@ struct PageRecord {
   /// Only of consent: parameters of the participant's link, by name (or hashes of their values).
   std::map<std::string, std::string> url_parameters;
   std::optional<ConsentText> consent;      ///< only of consent: the text that was shown
+  std::string language;                    ///< only of consent: that of the page; empty: unknown
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };

@@ -95,8 +95,16 @@ void check_screening(const Screening& screening, const PageRecord& record) {
 
 void check_consent(const QuestionnaireFacts& facts, const PageRecord& record) {
   check_items(record, {consent_record});
-  if (record.consent && *record.consent != facts.consent)
-    throw RecordFault("the text of the consent was a different one");
+  const auto shown =
+      record.language.empty() ? facts.consents.begin() : facts.consents.find(record.language);
+  if (shown == facts.consents.end())
+    throw RecordFault("the pages of this study are not in this language");
+  const bool is_known =
+      record.language.empty()
+          ? std::ranges::any_of(facts.consents,
+                                [&](const auto& one) { return one.second == record.consent; })
+          : shown->second == record.consent;
+  if (record.consent && !is_known) throw RecordFault("the text of the consent was a different one");
   check_known_name(record.responses.front(), {"agreed", consent_refused});
 }
 
@@ -146,6 +154,8 @@ void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
   if (record.matching && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no matching trial");
   check_url_parameters(facts, record);
+  if (!record.language.empty() && record.name != consent_record)
+    throw RecordFault("only the record of consent has a language");
   if (record.consent && record.name != consent_record)
     throw RecordFault("this page has no consent text");
   if (record.name == consent_record) {

@@ -79,7 +79,7 @@ std::vector<DemographicQuestion> questions_of(const Screening& screening) {
   for (const ScreeningQuestion& one : screening.questions)
     questions.push_back({.id = one.id,
                          .is_number = one.answer.is_number,
-                         .choices = one.answer.choices,
+                         .choices = one.answer.choices.words,
                          .required = true});
   return questions;
 }

@@ -29,8 +29,13 @@ nlohmann::ordered_json shared_part(const ServedStudy& study) {
   own["media"] = nlohmann::ordered_json::object();
   if (const auto found = own.find("recruitment"); found != own.end())
     *found = public_recruitment(*found);
-  if (const auto found = own.find("screening"); found != own.end())
-    *found = public_screening(*found);
+  const auto hide_accepted = [](nlohmann::ordered_json& shown) {
+    if (const auto found = shown.find("screening"); found != shown.end())
+      *found = public_screening(*found);
+  };
+  hide_accepted(own);
+  if (const auto languages = own.find("languages"); languages != own.end())
+    for (auto& shown : *languages) hide_accepted(shown);
   return own;
 }
 

@@ -6,6 +6,7 @@
 #include "motion/text/json_depth.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/texts/page_texts.h"
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/recruited_participants.h"
@@ -26,13 +27,29 @@ HttpResponse redirect(int status, const std::string& where) {
   return response;
 }
 
-/// A page for participants.
-HttpResponse message_page(int status, const std::string& english, const std::string& japanese) {
+/// A text of the pages in a language, as a paragraph.
+std::string paragraph_in(const nlohmann::ordered_json& experiment, const std::string& language,
+                         const char* text) {
+  nlohmann::ordered_json texts = built_in_texts(language);
+  if (const auto own = experiment.find("page_texts"); own != experiment.end())
+    if (const auto found = own->find(language); found != own->end()) texts = *found;
+  return "<p lang=\"" + html_escaped(language) + "\" dir=\"" +
+         texts.at("direction").get<std::string>() + "\">" +
+         html_escaped(texts.at("questionnaire").at(text).get<std::string>()) + "</p>";
+}
+
+/// A page for participants, with a text in each language of the study.
+HttpResponse message_page(int status, const nlohmann::ordered_json& experiment, const char* text) {
+  std::string paragraphs;
+  if (const auto languages = experiment.find("languages"); languages != experiment.end()) {
+    for (const auto& [language, shown] : languages->items())
+      paragraphs += paragraph_in(experiment, language, text);
+  } else {
+    paragraphs = paragraph_in(experiment, experiment.value("language", "en"), text);
+  }
   return {.status = status,
           .type = "text/html; charset=utf-8",
-          .body = html_page("Questionnaire", "",
-                            "<p>" + html_escaped(english) + "</p><p lang=\"ja\">" +
-                                html_escaped(japanese) + "</p>")};
+          .body = html_page("Questionnaire", "", paragraphs)};
 }
 
 /// The posted JSON; discarded if it is malformed or nested too deeply.
@@ -120,8 +137,7 @@ HttpResponse QuestionnaireService::answer_kind(const HttpRequest& request) {
 HttpResponse QuestionnaireService::unknown(const HttpRequest& request) {
   if (!wrong_rate_.allows(request.address)) return http_too_many_requests();
   if (is_reading(request) && request.path.size() <= 3 && request.path.back().empty())
-    return message_page(404, "This link is not valid. Please ask the experimenter for your link.",
-                        "このリンクは登録されていません。実験者にお尋ねください。");
+    return message_page(404, study_.experiment, "unknown_link");
   return http_refusal(404, "unknown", "page not found", "check the address");
 }
 
@@ -276,9 +292,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   if (!shared_rate_.allows(request.address)) return http_too_many_requests();
   if (path[2] == "session.json") return http_json(joining_json(study_));
   if (path[2].empty() && sessions_.has_enough())
-    return message_page(403,
-                        "All places in this study have been taken. Thank you for your interest.",
-                        "必要な人数が集まりました。お越しいただきありがとうございました。");
+    return message_page(403, study_.experiment, "enough");
   const std::optional<HttpResponse> file = page_file(path[2]);
   return file ? *file : unknown(request);
 }

@@ -216,10 +216,21 @@ TEST(Report, NamesScalesInTheLanguageOfTheStudyAlone) {
   const std::string english = open_part_of(report_of(manifest), "mix");
   EXPECT_EQ(english.find("遅い"), std::string::npos);
   manifest.questionnaire.emplace();
-  manifest.questionnaire->language = InterfaceLanguage::japanese;
+  manifest.questionnaire->language = {{"ja"}, false};
   const std::string japanese = open_part_of(report_of(manifest), "mix");
   EXPECT_NE(japanese.find("遅い – 速い"), std::string::npos);
   EXPECT_EQ(japanese.find("slow – fast</th>"), std::string::npos);
+}
+
+TEST(Report, NamesScalesInBothLanguagesByChoice) {
+  Manifest manifest = adjective_study();
+  manifest.names = NameLanguage::both;
+  EXPECT_NE(open_part_of(report_of(manifest), "mix").find("slow – fast 遅い – 速い"),
+            std::string::npos);
+  manifest.questionnaire.emplace();
+  manifest.questionnaire->language = {{"ja"}, false};
+  manifest.names = NameLanguage::english;
+  EXPECT_EQ(open_part_of(report_of(manifest), "mix").find("遅い"), std::string::npos);
 }
 
 TEST(Report, StandsAtAFrameOfTheFilmBeforeItPlays) {

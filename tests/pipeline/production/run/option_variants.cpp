@@ -381,6 +381,9 @@ const Values chosen_values[] = {
     {"stimuli[].path.moods[].mood", R"([{"sad": 1}, {"happy": 1}])"},
     {"matching", R"([{"participants": 4}, {"participants": 5, "limit_s": 100}])"},
     {"matching.title", R"(["Same?", "Alike?"])"},
+    {"matching.language", R"(["en", "ja"])"},
+    {"matching.language.browser", R"([["en"], ["ja", "en"]])"},
+    {"matching.texts", R"(["one.texts.yaml", ["two.texts.yaml"]])"},
     {"matching.targets", R"([["a"], ["a", "b"]])"},
     {"matching.practice", R"([["b"], ["c"]])"},
     {"matching.interfaces", R"([["adjectives"], ["weights", "features"]])"},
@@ -409,7 +412,10 @@ const Values chosen_values[] = {
     {"regression.parts_mm", R"([{"left hand": 5}, {"left hand": 6}])"},
     {"questionnaire",
      R"([{"participants": 4, "scales": "all"}, {"participants": 5, "scales": "emotions"}])"},
-    {"questionnaire.title", R"(["How?", "What?"])"},
+    {"questionnaire.title", R"(["How?", {"en": "How?", "ja": "どう？"}])"},
+    {"questionnaire.language", R"(["en", "ja"])"},
+    {"questionnaire.language.browser", R"([["en"], ["ja", "en"]])"},
+    {"questionnaire.texts", R"(["one.texts.yaml", ["two.texts.yaml"]])"},
     {"questionnaire.consent", R"(["Yes.", "No."])"},
     {"questionnaire.consent_version", R"(["1", "2"])"},
     {"questionnaire.instructions", R"(["Look.", "Look well."])"},
@@ -906,6 +912,8 @@ scales:
   slow-quick: {low: slow, high: quick, loadings: {activeness: 0.6}}
   big-small: {low: big, high: small, loadings: {largeness: -0.6}}
 )";
+  std::ofstream(folder / "one.texts.yaml") << "language: en\nquestionnaire: {next: Go on}\n";
+  std::ofstream(folder / "two.texts.yaml") << "language: en\nquestionnaire: {next: Forward}\n";
   std::ofstream(folder / "other.scales.yaml") << "scales: {small-big: {low: small, high: big}}\n";
   const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
   std::ofstream(folder / "one.gltf") << figure;

@@ -59,6 +59,29 @@ TEST(ComparisonSheets, KeepTheHeadsOfColumnsApart) {
   expect_heads(4);
 }
 
+TEST(ComparisonSheets, NameParametersInTheLanguageThatIsChosen) {
+  ManifestReading reading = parse_manifest(
+      std::string(holding_manifest) + "questionnaire: {participants: 2, scales: emotions}\n",
+      "m.yaml", [](const std::string&) { return std::nullopt; });
+  Manifest& manifest = reading.manifest;
+  Motions motions(manifest);
+  const auto has = [&](const char* text) {
+    const auto texts =
+        texts_beside_each_other(sheet_content(manifest.sheets.front(), manifest, motions));
+    return std::ranges::any_of(texts, [&](const DrawnText& one) { return one.text == text; });
+  };
+  EXPECT_TRUE(has("quickness") && has("Parameters"));
+  manifest.names = NameLanguage::both;
+  EXPECT_TRUE(has("quickness 速さ") && has("Parameters 指標"));
+  manifest.names = NameLanguage::japanese;
+  EXPECT_TRUE(has("速さ") && has("混合比"));
+  manifest.names = NameLanguage::study;
+  manifest.questionnaire->language = {{"ja", "en"}, true};
+  EXPECT_TRUE(has("速さ"));
+  manifest.questionnaire->language = {{"de"}, false};
+  EXPECT_TRUE(has("quickness"));
+}
+
 TEST(ComparisonSheets, MarkWhatIsHeld) {
   const ManifestReading reading =
       parse_manifest(holding_manifest, "m.yaml", [](const std::string&) { return std::nullopt; });

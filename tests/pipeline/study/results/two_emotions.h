@@ -27,7 +27,7 @@ inline Manifest two_emotion_study(int participants = 20, std::uint64_t seed = 1)
   add("sad", "modified", "sad");
   add("happy", "modified", "happy");
   Questionnaire asked;
-  asked.title = "How does she walk?";
+  asked.title.text = "How does she walk?";
   asked.participants = participants;
   asked.scales.ids = {"sad-happy", "weak-strong"};
   asked.answer.slider = true;

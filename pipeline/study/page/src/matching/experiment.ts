@@ -1,12 +1,15 @@
 import type { InterfaceKind } from "../live/core";
 import type { Demographic, Planned } from "../questionnaire/experiment";
+import type { InLanguages } from "../questionnaire/language";
 
 /** A matching experiment, as `mien study export` and `serve` write it. */
 export interface MatchingExperiment extends Planned<MatchingSession> {
   format: "mien-matching-1";
   study: string;
   title: string;
-  language: "en" | "ja";
+  language: string;
+  languages?: InLanguages["languages"];
+  page_texts?: InLanguages["page_texts"];
   simulated: boolean;
   texts: { consent: string[]; instructions: string[]; ending: string[] };
   settings: { phones: "refused" | "served" };

@@ -83,7 +83,7 @@ class Session {
     private mode: Mode, private experiment: MatchingExperiment, private store: Store<MatchingSession>,
     private texts: Texts,
   ) {
-    this.words = matchingTexts(experiment.language);
+    this.words = matchingTexts(experiment.language, experiment.page_texts?.[experiment.language]);
   }
 
   async run(): Promise<void> {
@@ -130,7 +130,8 @@ class Session {
         const agreed = given.pressed === 0;
         const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
         if (agreed || mode !== "static")
-          await this.keep(pageRecord("consent", this.store.name, { ...given, responses }), page);
+          await this.keep({ ...pageRecord("consent", this.store.name, { ...given, responses }),
+            language: experiment.language }, page);
         if (agreed) return mayWithdraw(experiment, this.store, texts, {});
         if (mode === "static") this.store.clear?.();
         show(texts.thanks, [texts.refused]);
@@ -180,8 +181,8 @@ class Session {
       await this.beforeTrial(trial, before);
       const alike = session.trials.filter(({ practice }) => practice === trial.practice);
       const place = alike.indexOf(trial) + 1;
-      const title = trial.practice ? this.words.practiceOf(place, alike.length)
-        : this.words.motionOf(place, alike.length);
+      const title = trial.practice ? this.words.practiceOf({ number: place, all: alike.length })
+        : this.words.motionOf({ number: place, all: alike.length });
       const record = await runTrial(root(), trial, title, attemptAt(this.experiment, this.store, trial), around);
       await this.keep(record, root());
       before = trial;
@@ -197,18 +198,18 @@ class Session {
       const { practice } = group[0]!;
       const alike = groups.filter((one) => one[0]!.practice === practice);
       const place = alike.indexOf(group) + 1;
-      const title = practice ? words.practiceOf(place, alike.length) : words.motionOf(place, alike.length);
+      const title = practice ? words.practiceOf({ number: place, all: alike.length }) : words.motionOf({ number: place, all: alike.length });
       const left = group.filter(({ number }) => !this.has(`trial-${number}`));
       for (const trial of left) {
         if (guesses.of(trial)) continue;
         const said = trial === group[0] ? this.beforeMotion(practice, place, alike.length) : [];
-        await this.beforeStep(title, trial, [...said, words.guessWith(words.interfaces[trial.interface])]);
+        await this.beforeStep(title, trial, [...said, words.guessWith({ name: words.interfaces[trial.interface] })]);
         guesses.keep(trial,
           await runGuess(root(), trial, title, attemptAt(experiment, store, trial, "guess-"), around));
       }
       for (const trial of left) {
         const guess = guesses.of(trial)!;
-        await this.beforeStep(title, trial, [words.matchWith(words.interfaces[trial.interface])]);
+        await this.beforeStep(title, trial, [words.matchWith({ name: words.interfaces[trial.interface] })]);
         const attempt = guess.attempt - 1 + attemptAt(experiment, store, trial);
         await this.keep(await runTrial(root(), trial, title, attempt, around, guess), root());
       }
@@ -219,7 +220,7 @@ class Session {
   private beforeMotion(practice: boolean, place: number, all: number): string[] {
     const { texts, words, store } = this;
     if (practice) return place === 1 ? [texts.practiceBegins] : [];
-    if (place > 1) return [words.restText(place - 1, all)];
+    if (place > 1) return [words.restText({ done: place - 1, all })];
     return store.session.trials.some((trial) => trial.practice) ? [texts.mainBegins] : [];
   }
 
@@ -236,9 +237,9 @@ class Session {
     const said: string[] = [];
     if (trial.practice && !before) said.push(texts.practiceBegins);
     if (!trial.practice && before?.practice) said.push(texts.mainBegins);
-    if (done > 0) said.push(words.restText(done, main.length));
+    if (done > 0) said.push(words.restText({ done, all: main.length }));
     if (!before || before.interface !== trial.interface || before.practice !== trial.practice)
-      said.push(words.nextAre(words.interfaces[trial.interface]), words.explains[trial.interface]);
+      said.push(words.nextAre({ name: words.interfaces[trial.interface] }), words.explains[trial.interface]);
     await this.page({ title, texts: said, buttons: [texts.next] });
   }
 }
@@ -262,7 +263,7 @@ function savedFiles(experiment: MatchingExperiment, store: Store<MatchingSession
 async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checkedMatching);
-  const texts = sharedTexts(experiment.language);
+  const texts = sharedTexts(experiment.language, experiment.page_texts?.[experiment.language]);
   if (!mayBegin(experiment, texts)) return;
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => trialsCsv(experiment, session, records),

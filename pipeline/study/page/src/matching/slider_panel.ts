@@ -82,7 +82,7 @@ export class SliderPanel {
   }
 
   private tell(input: HTMLInputElement): void {
-    input.setAttribute("aria-valuetext", this.texts.percent(Math.round(100 * Number(input.value))));
+    input.setAttribute("aria-valuetext", this.texts.percent({ value: Math.round(100 * Number(input.value)) }));
   }
 
   private addRow(name: string, isAdded: boolean): Row {
@@ -107,7 +107,7 @@ export class SliderPanel {
     const row = { slider, input, root };
     if (isAdded) {
       const away = button("×", () => this.remove(row), "small");
-      away.setAttribute("aria-label", this.texts.remove(shown));
+      away.setAttribute("aria-label", this.texts.remove({ name: shown }));
       root.append(away);
     }
     this.tell(input);
@@ -129,7 +129,7 @@ export class SliderPanel {
       row.input.focus();
     }, "small");
     return element("div", { class: "offer" },
-      element("label", { for: choice.id }, this.texts.addPair[this.kind]), choice, add);
+      element("label", { for: choice.id }, this.kind === "weights" ? "" : this.texts.addPair[this.kind]), choice, add);
   }
 
   private option(name: string): HTMLOptionElement {

@@ -1,181 +1,23 @@
-import type { InterfaceKind } from "../live/core";
 import { textsOf, type Texts } from "../questionnaire/texts";
+import { matchingTexts as documents, questionnaireTexts, type InMatching, type MatchingTexts } from "../texts/languages";
+import { spoken, type OwnTexts, type Section } from "../texts/phrase";
 
-/** What the page itself says of matching; what it shares with questionnaires stands there. */
-const english = {
-  preparing: "Preparing the motions",
-  notPrepared: "The motions could not be prepared.",
-  how: [
-    "You will see a green figure walk. Your task is to make a blue figure walk in the same way, by moving sliders.",
-    "First you guess: you see only the green figure, and set the sliders as you think they should be. Then press “Show my motion”.",
-    "Now the blue figure appears, too. Move the sliders until both figures walk in the same way. The distance between them and the remaining time are shown. When the distance is small enough, the trial is complete.",
-    "Turn the figures with the mouse, a finger or the arrow keys.",
-  ],
-  howGuessesFirst: [
-    "You will see a green figure walk. Your task is to make a blue figure walk in the same way, using several kinds of sliders.",
-    "First you guess with each kind of slider: you see only the green figure, and set the sliders as you think they should be. Then press “Confirm my guess”. The result is not shown yet.",
-    "Then you continue from each of your guesses, and the blue figure appears, too. Move the sliders until both figures walk in the same way. The distance between them and the remaining time are shown. When the distance is small enough, the trial is complete.",
-    "Turn the figures with the mouse, a finger or the arrow keys.",
-  ],
-  guessWith: (name: string) => `Step 1, a guess: ${name}`,
-  matchWith: (name: string) => `Step 2, the match: ${name}. You continue from your guess.`,
-  takeGuess: "Confirm my guess",
-  examples: "Examples",
-  examplesView: "The examples walk one after another. Arrow keys rotate the view, plus and minus zoom, Home resets the view.",
-  nextExample: "Next example",
-  howHidden: "The distance between the figures is not shown.",
-  keys: "You can use the keyboard throughout: Tab goes to the next slider or button, arrow keys move a slider or rotate the view, plus and minus zoom, Enter or Space presses a button.",
-  interfaces: {
-    adjectives: "Sliders with words",
-    features: "Sliders for motion features",
-    weights: "Sliders for proportions",
-  } as Record<InterfaceKind, string>,
-  explains: {
-    adjectives: "Each slider sets how strongly the motion gives one impression or the other. You can add more pairs of words from the list below the sliders.",
-    features: "Each slider changes a measurable feature of the motion, such as step length. You can add more from the list below the sliders.",
-    weights: "Each slider sets the proportion of one walk in the mixture. With all sliders at the left, all walks have equal proportions.",
-  } as Record<InterfaceKind, string>,
-  nextAre: (name: string) => `Next: ${name}`,
-  rest: "Take a rest",
-  restText: (done: number, all: number) => `${done} of ${all} motions completed. Continue whenever you like.`,
-  motionOf: (number: number, all: number) => `Motion ${number} of ${all}`,
-  practiceOf: (number: number, all: number) => `Practice ${number} of ${all}`,
-  guessStep: "Step 1: guess",
-  adjustStep: "Step 2: match",
-  guessNote: "Set the sliders so that your motion would match the green one.",
-  adjustNote: "Move the sliders until the blue figure walks like the green one.",
-  showMine: "Show my motion",
-  target: "Target",
-  mine: "Your motion",
-  clock: "Time left",
-  distance: "Distance",
-  goal: (centimetres: string) => `goal: below ${centimetres} cm`,
-  matched: (seconds: number) => `Matched after ${seconds} ${seconds === 1 ? "second" : "seconds"}. Well done!`,
-  matchedAtOnce: "Your guess already matches. Well done!",
-  over: "Time is up. That is fine: please continue with the next motion.",
-  view: "A green and a blue figure in three dimensions. Arrow keys rotate the view, plus and minus zoom, Home resets the view.",
-  arrange: "Position",
-  overEachOther: "Superimposed",
-  beside: "Side by side",
-  step: "Tempo",
-  inStep: "Synchronized",
-  ownTempo: "Independent",
-  lookFrom: "View",
-  sides: { front: "Front", side: "Side", back: "Back", above: "Above" },
-  pause: "Pause",
-  play: "Play",
-  add: "Add",
-  addPair: { adjectives: "More pairs of words", features: "More features", weights: "" } as Record<InterfaceKind, string>,
-  remove: (name: string) => `Remove ${name}`,
-  less: "less",
-  more: "more",
-  percent: (value: number) => `${value} percent`,
-  lostCore: "A motion could not be computed. Please check the connection.",
-  begunAnew: "The page was reloaded, so this motion starts again.",
-};
+export type { MatchingTexts };
 
-export type MatchingTexts = typeof english;
+const english = "en";
 
-const japanese: MatchingTexts = {
-  preparing: "動きを準備しています",
-  notPrepared: "動きを準備できませんでした。",
-  how: [
-    "緑色の人物が歩きます。スライダーを動かして、青色の人物が同じように歩くようにしてください。",
-    "最初は予想です。緑色の人物だけを見て、スライダーを合うと思う位置に動かし、「自分の動きを見る」を押します。",
-    "次に青色の人物も現れます。二人が同じように歩くまでスライダーを動かしてください。二人の距離と残り時間が表示されます。距離が十分小さくなれば完成です。",
-    "マウス、指、または矢印キーで人物を回して見ることができます。",
-  ],
-  howGuessesFirst: [
-    "緑色の人物が歩きます。いくつかの種類のスライダーを動かして、青色の人物が同じように歩くようにしてください。",
-    "最初に、それぞれの種類のスライダーで予想します。緑色の人物だけを見て、スライダーを合うと思う位置に動かし、「これで決める」を押します。結果はまだ表示されません。",
-    "次に、それぞれの予想から続けます。青色の人物も現れます。二人が同じように歩くまでスライダーを動かしてください。二人の距離と残り時間が表示されます。距離が十分小さくなれば完成です。",
-    "マウス、指、または矢印キーで人物を回して見ることができます。",
-  ],
-  guessWith: (name) => `ステップ1、予想：${name}`,
-  matchWith: (name) => `ステップ2、調整：${name}。予想から続けます。`,
-  takeGuess: "これで決める",
-  examples: "例",
-  examplesView: "例の動きが順に表示されます。矢印キーで回り、＋と－で拡大・縮小し、Homeキーで元に戻ります。",
-  nextExample: "次の例",
-  howHidden: "二人の距離は表示されません。",
-  keys: "すべてキーボードで操作できます。Tabキーで移動し、矢印キーでスライダーや向きを動かし、＋と－で拡大・縮小し、Enterキーまたはスペースキーでボタンを押します。",
-  interfaces: {
-    adjectives: "言葉のスライダー",
-    features: "動きの特徴のスライダー",
-    weights: "割合のスライダー",
-  },
-  explains: {
-    adjectives: "それぞれのスライダーは、動きがどちらの言葉にどれだけ近いかを表します。下の一覧から言葉の組を追加できます。",
-    features: "それぞれのスライダーは、歩幅など、測ることのできる特徴を変えます。下の一覧から追加できます。",
-    weights: "それぞれのスライダーは、その歩き方を混ぜる割合です。すべて左なら、すべての歩き方を同じ割合で混ぜます。",
-  },
-  nextAre: (name) => `次は：${name}`,
-  rest: "休憩",
-  restText: (done, all) => `${all}個中${done}個の動きが終わりました。よいところで続けてください。`,
-  motionOf: (number, all) => `動き ${number}／${all}`,
-  practiceOf: (number, all) => `練習 ${number}／${all}`,
-  guessStep: "ステップ1：予想",
-  adjustStep: "ステップ2：調整",
-  guessNote: "自分の動きが緑色の動きと同じになると思う位置にスライダーを動かしてください。",
-  adjustNote: "青色が緑色と同じように歩くまでスライダーを動かしてください。",
-  showMine: "自分の動きを見る",
-  target: "目標",
-  mine: "自分の動き",
-  clock: "残り時間",
-  distance: "距離",
-  goal: (centimetres) => `目標：${centimetres} cm未満`,
-  matched: (seconds) => `${seconds}秒で一致しました。お見事です。`,
-  matchedAtOnce: "予想がそのまま一致しました。お見事です。",
-  over: "時間になりました。このまま次の動きに進んでください。",
-  view: "立体的に見える緑色と青色の人物。矢印キーで回り、＋と－で拡大・縮小し、Homeキーで元に戻ります。",
-  arrange: "配置",
-  overEachOther: "重ねる",
-  beside: "並べる",
-  step: "速さ",
-  inStep: "歩調を合わせる",
-  ownTempo: "それぞれの速さ",
-  lookFrom: "向き",
-  sides: { front: "前", side: "横", back: "後ろ", above: "上" },
-  pause: "停止",
-  play: "再生",
-  add: "追加",
-  addPair: { adjectives: "他の言葉の組", features: "他の特徴", weights: "" },
-  remove: (name) => `${name}を外す`,
-  less: "小",
-  more: "大",
-  percent: (value) => `${value}パーセント`,
-  lostCore: "動きを作れませんでした。接続を確認してください。",
-  begunAnew: "ページが読み直されたため、この動きを最初から始めます。",
-};
+function sectionOf(
+  language: string, name: "matching" | "in_matching", own?: OwnTexts): Record<string, unknown> {
+  const known = documents[language] ? language : english;
+  const { direction } = own ?? questionnaireTexts[known]!;
+  const measure: Section = documents[english]![name];
+  return spoken((own ?? documents[known]!)[name], measure, { language, direction });
+}
 
-export const matchingTexts = (language: string): MatchingTexts => (language === "ja" ? japanese : english);
+/** What the page itself says of matching. */
+export const matchingTexts = (language: string, own?: OwnTexts): MatchingTexts =>
+  sectionOf(language, "matching", own) as unknown as MatchingTexts;
 
-/** What pages of questionnaires say, where they speak of questionnaires. */
-const instead: Record<"en" | "ja", Partial<Texts>> = {
-  en: {
-    practiceBegins: "We begin with some practice, which is not recorded as part of the results.",
-    lastWords: "Would you like to tell us anything about this experiment?",
-    finished: "The experiment is complete, and your data have been saved. You may close this window.",
-    finishedFiles: "The experiment is complete. Your data have been saved as files in the download folder of this computer. If one is missing, save it again here.",
-    phone: "This experiment needs a screen larger than a phone's. Please open it on a computer or a tablet.",
-    trouble: "The experiment cannot be displayed",
-    elsewhere: "This experiment is open elsewhere",
-    goOnThere: "It was started in another window or browser. What you do here is not saved; please continue there. If you cannot, ask the experimenter for another link.",
-    saveFailed: "The connection was lost. Your data are kept here and will be sent again; please keep this window open.",
-  },
-  ja: {
-    practiceBegins: "まず練習をします。練習の結果は使われません。",
-    lastWords: "この実験について何かあればお書きください。",
-    finished: "実験は終わりました。結果は保存されました。この画面を閉じてください。",
-    finishedFiles: "実験は終わりました。結果はこのコンピューターのダウンロードフォルダーに保存されました。足りないものがあれば、ここでもう一度保存してください。",
-    phone: "この実験には電話より大きな画面が必要です。パソコンかタブレットで開いてください。",
-    trouble: "実験を表示できません",
-    elsewhere: "この実験は別の画面で開かれています",
-    goOnThere: "別のウィンドウまたはブラウザーで始められています。ここでの操作は保存されません。そちらで続けてください。続けられない場合は、実験者に別のリンクをお尋ねください。",
-    saveFailed: "接続が切れました。結果はここに保存され、再送しています。この画面を開いたままにしてください。",
-  },
-};
-
-/** The texts that matching shares with questionnaires. */
-export const sharedTexts = (language: string): Texts =>
-  ({ ...textsOf(language), ...instead[language === "ja" ? "ja" : "en"] });
+/** The texts that matching shares with questionnaires, some of them in other words. */
+export const sharedTexts = (language: string, own?: OwnTexts): Texts =>
+  ({ ...textsOf(language, own), ...(sectionOf(language, "in_matching", own) as unknown as InMatching) });

@@ -4,6 +4,7 @@ import { button, element, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
 import { countBlurs } from "../questionnaire/measures";
 import type { Texts } from "../questionnaire/texts";
+import { numberText } from "../texts/phrase";
 import { ExamplesFilm } from "./examples_film";
 import type { MatchingExperiment, MatchingTrial } from "./experiment";
 import type { Guess, MatchingRecord } from "./record";
@@ -28,7 +29,7 @@ const clockText = (seconds: number): string => {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 };
 
-const centimetres = (metres: number): string => (100 * metres).toFixed(1);
+const centimetres = (metres: number, language: string): string => numberText(100 * metres, language, 1);
 
 /** What tells how near the motion is and how long it may take. */
 class Readings {
@@ -38,7 +39,7 @@ class Readings {
   private bar = element("div", { class: "near" }, element("div"));
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  constructor(private experiment: MatchingExperiment, words: MatchingTexts) {
+  constructor(private experiment: MatchingExperiment, private words: MatchingTexts) {
     const { threshold_m: thresholdM, shows_distance: showsDistance, limit_s: limitS } = experiment.matching;
     this.clock.textContent = clockText(limitS);
     this.element = element("div", { class: "readings" },
@@ -46,13 +47,13 @@ class Readings {
     this.bar.setAttribute("aria-hidden", "true");
     if (showsDistance)
       this.element.append(
-        element("p", {}, `${words.distance}: `, this.distance, " cm ",
-          element("span", { class: "goal" }, `(${words.goal(centimetres(thresholdM))})`)), this.bar);
+        element("p", {}, `${words.distance}: `, this.distance, " ", element("span", { class: "goal" },
+          `(${words.goal({ centimetres: centimetres(thresholdM, experiment.language) })})`)), this.bar);
   }
 
   tell(d: number): void {
     const { threshold_m: thresholdM } = this.experiment.matching;
-    this.distance.textContent = centimetres(d);
+    this.distance.textContent = this.words.length({ centimetres: centimetres(d, this.experiment.language) });
     this.element.dataset.d = String(d);
     const share = Math.min(1, thresholdM / Math.max(d, 1e-6));
     (this.bar.firstElementChild as HTMLElement).style.width = `${Math.round(100 * share)}%`;
@@ -193,7 +194,7 @@ export async function runTrial(
         page.dataset.step = "over";
         const seconds = Math.round(record.time_s);
         status.textContent = !record.success ? words.over : record.time_s === 0 ? words.matchedAtOnce
-          : words.matched(seconds);
+          : words.matched({ seconds });
         status.classList.add(record.success ? "good" : "late");
         next.hidden = false;
         next.focus();

@@ -86,7 +86,7 @@ export function lookOf(place: number, points: number): string {
 }
 
 function pointsOf(
-  id: string, item: Item, flipped: boolean, language: string, texts: Texts, answered: Answered,
+  id: string, item: Item, flipped: boolean, texts: Texts, answered: Answered,
 ): Asked {
   const left = flipped ? item.high : item.low;
   const right = flipped ? item.low : item.high;
@@ -94,7 +94,7 @@ function pointsOf(
     const place = index + 1;
     return { value: String(place), text: String(place), look: lookOf(place, item.points),
       note: item.anchors ? degreeOf(texts, place, item.points) : undefined,
-      meaning: `${place}: ${meaningOf(texts, language, place, item.points, left, right)}` };
+      meaning: `${place}: ${meaningOf(texts, place, item.points, left, right)}` };
   });
   const middle = (item.points + 1) / 2;
   const start = item.default === "middle" && Number.isInteger(middle) ? String(middle) : null;
@@ -161,12 +161,12 @@ export function wordsOf(id: string, title: string, answered: Answered, suggest: 
 
 /** A scale with its ends, answered as it says; in words where it is none. */
 export function scaleOf(
-  id: string, item: Item | undefined, flipped: boolean, language: string, texts: Texts, answered: Answered,
+  id: string, item: Item | undefined, flipped: boolean, texts: Texts, answered: Answered,
 ): Asked {
   if (!item || item.words)
     return wordsOf(id, item ? `${item.low} – ${item.high}` : texts.describe, answered, item?.suggest);
   return item.slider ? sliderOf(id, item, flipped, answered)
-    : pointsOf(id, item, flipped, language, texts, answered);
+    : pointsOf(id, item, flipped, texts, answered);
 }
 
 /** Answers in the order in which they were asked; times from `since`. */

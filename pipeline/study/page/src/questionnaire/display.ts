@@ -89,7 +89,7 @@ export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number
       done();
     }, "main");
     display.replaceChildren(element("article", { class: "page calibration" }, head,
-      ...paragraphs([texts.calibrateHow, texts.sitAt(distanceCm)]), card,
+      ...paragraphs([texts.calibrateHow, texts.sitAt({ cm: distanceCm })]), card,
       element("div", { class: "card-width" }, button("−", () => step(-1)), slider, button("+", () => step(1))),
       element("div", { class: "buttons" }, confirm)));
     head.focus();

@@ -1,11 +1,15 @@
 import type { MatchingRecord } from "../matching/record";
+import type { InLanguages } from "./language";
 
 /** What a questionnaire shows, as `mien study export` and `serve` write it. */
 export interface Experiment {
   format: "mien-questionnaire-1";
   study: string;
   title: string;
-  language: "en" | "ja";
+  /** Tag (BCP 47): of this page, once one of several was chosen. */
+  language: string;
+  languages?: InLanguages["languages"];
+  page_texts?: InLanguages["page_texts"];
   design: string;
   simulated: boolean;
   texts: ExperimentTexts;
@@ -121,6 +125,8 @@ export interface Demographic {
   id: string;
   ask: string;
   answer: "number" | "text" | string[];
+  /** What is recorded of choices in their order, where that is not what is shown. */
+  values?: string[];
   required?: boolean;
 }
 
@@ -204,6 +210,8 @@ export interface PageRecord {
   shown_cm?: number | null;
   shown_degrees?: number | null;
   media_sha256?: string[];
+  /** Of consent: the language of the page. */
+  language?: string;
   /** Of consent: the text that was shown. */
   consent?: ConsentText;
   /** Of consent: parameters of the participant's link. */

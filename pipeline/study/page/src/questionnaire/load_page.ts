@@ -33,7 +33,7 @@ export class LoadPage implements JsPsychPlugin<typeof info> {
         await load((done, all) => {
           bar.max = Math.max(all, 1);
           bar.value = done;
-          note.textContent = texts.preparingOf(done, all);
+          note.textContent = texts.preparingOf({ done, all });
         });
         this.jsPsych.finishTrial({});
       } catch (error) {

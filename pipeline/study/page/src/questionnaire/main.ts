@@ -62,6 +62,7 @@ async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement):
   const agreed = given.pressed === 0;
   const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
   const record = pageRecord("consent", store.name, { ...given, responses });
+  record.language = experiment.language;
   if (experiment.consent) record.consent = experiment.consent;
   if (agreed && mode === "jatos") record.jatos = jatosIds();
   if (agreed && experiment.recruitment) {
@@ -173,7 +174,7 @@ function destinationAtEnd(mode: Mode, experiment: Experiment, store: Store): Des
 async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checked);
-  const texts = textsOf(experiment.language);
+  const texts = textsOf(experiment.language, experiment.page_texts?.[experiment.language]);
   const given = parametersOf(experiment, await linkParameters(mode));
   if (!mayBegin(experiment, texts, given)) return;
   const store = await storeOf(mode, experiment, texts, {

@@ -108,7 +108,7 @@ export function returnElements(
   if (leavesSoon) {
     timer = setTimeout(go, 1000 * leaveAfterSeconds);
     const soon = isProlific ? texts.returnsSoon : address ? texts.leavesSoon : texts.endsSoon;
-    const note = element("p", { role: "status" }, soon(leaveAfterSeconds));
+    const note = element("p", { role: "status" }, soon({ seconds: leaveAfterSeconds }));
     const stay = button(texts.stayHere, () => {
       clearTimeout(timer);
       note.remove();

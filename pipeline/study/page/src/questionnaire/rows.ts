@@ -134,6 +134,7 @@ export function participantsCsv(
     finished: truth(!!records.ending),
     ended: endOf(experiment, records),
     screening_fault: screeningFault(experiment.screening, records.screening),
+    language: records.consent?.language ?? "",
     consent_version: experiment.consent?.version ?? "",
     consent_sha256: experiment.consent?.sha256 ?? "",
   };

@@ -23,7 +23,8 @@ export function enlargedWindow(display: HTMLElement, texts: Texts, window: [numb
     };
     const look = () => {
       if (isLargeEnough(window)) return end(true);
-      size.textContent = texts.windowSize(innerWidth, innerHeight, ...window);
+      const [needsWidth, needsHeight] = window;
+      size.textContent = texts.windowSize({ width: innerWidth, height: innerHeight, needsWidth, needsHeight });
     };
     const head = heading(texts.enlargeWindow);
     display.replaceChildren(element("article", { class: "page" }, head, ...paragraphs([texts.enlargeHow]), size,

@@ -3,13 +3,14 @@
 import { button, element } from "./elements";
 import type { Destination, Recruitment, SessionEnd } from "./experiment";
 import type { SavedFile } from "./files";
+import { inLanguage, type InLanguages } from "./language";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { showTextPage } from "./text_view";
 import { SessionClosed, type Store } from "./store";
 import { destinationOf, forgetParameters, returnElements, type Parameters } from "./recruitment";
 import { base, root, show, type Mode } from "./surroundings";
-import type { Texts } from "./texts";
+import { directionOf, type Texts } from "./texts";
 import { endWithdrawalOffer, offerWithdrawal } from "./withdrawal";
 
 type WithdrawnFrom = Pick<Store, "name" | "withdraw">;
@@ -19,6 +20,7 @@ export interface Frame {
   design: string;
   title: string;
   language: string;
+  page_texts?: InLanguages["page_texts"];
   texts: { debriefing?: string[]; ending: string[] };
   settings: { phones: "refused" | "served" };
   recruitment?: Recruitment;
@@ -32,8 +34,14 @@ export interface Referral {
   destination?: Destination;
 }
 
-/** The experiment that the server gives, or a script beside the page; `checked` refuses what is none. */
-export async function experimentOf<Own>(mode: Mode, checked: (given: unknown) => Own): Promise<Own> {
+/** The experiment that the server gives, or a script beside the page, in the language that the browser prefers;
+    `checked` refuses what is none. */
+export async function experimentOf<Own extends InLanguages>(
+  mode: Mode, checked: (given: unknown) => Own): Promise<Own> {
+  return inLanguage(await givenExperiment(mode, checked), navigator.languages);
+}
+
+async function givenExperiment<Own>(mode: Mode, checked: (given: unknown) => Own): Promise<Own> {
   if (mode === "served") {
     const answer = await fetch(`${base()}session.json`, { cache: "no-store" });
     if (!answer.ok) throw new Error(`The server gives no experiment (${answer.status}).`);
@@ -43,9 +51,11 @@ export async function experimentOf<Own>(mode: Mode, checked: (given: unknown) =>
   return checked((globalThis as { mienExperiment?: unknown }).mienExperiment);
 }
 
-/** Sets the language and title of the page. False on a phone if phones are refused: the page then says so. */
+/** Sets the language, direction and title of the page. False on a phone if phones are refused: the page then says so. */
 export function mayBegin(experiment: Frame, texts: Texts, parameters: Parameters = {}): boolean {
-  document.documentElement.lang = experiment.language;
+  const { language } = experiment;
+  document.documentElement.lang = language;
+  document.documentElement.dir = directionOf(language, experiment.page_texts?.[language]);
   document.title = experiment.title;
   const isRefused = experiment.settings.phones === "refused" && isPhone();
   const destination = destinationOf(experiment.recruitment, "screened_out");
@@ -95,7 +105,7 @@ export function showEnding(
   if (mode !== "static")
     return show(texts.thanks,
       [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back, code);
-  const again = save().map((file) => button(texts.saveFile(file.name), file.save));
+  const again = save().map((file) => button(texts.saveFile({ name: file.name }), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
     // The next one gets a plan of his own.

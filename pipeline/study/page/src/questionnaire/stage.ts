@@ -223,7 +223,7 @@ export class Stage {
     const { replays } = this.settings;
     if (this.state === "loading") this.note.textContent = texts.waitForVideo;
     else if (plays > 0 && typeof replays === "number" && this.canPlay())
-      this.note.textContent = texts.replaysLeft(replays - plays + 1);
+      this.note.textContent = texts.replaysLeft({ left: replays - plays + 1 });
     else this.note.textContent = "";
   }
 

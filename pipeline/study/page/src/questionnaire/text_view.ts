@@ -19,6 +19,12 @@ interface Question {
   read(): { value: number | string | null; wrong?: string; at: number };
 }
 
+/** Digits of Japanese keyboards are wide, and Arabic and Persian have digits and a decimal mark of their own. */
+export const plainDigits = (text: string): string => text.normalize("NFKC")
+  .replace(/[\u0660-\u0669]/g, (digit) => String(digit.charCodeAt(0) - 0x660))
+  .replace(/[\u06f0-\u06f9]/g, (digit) => String(digit.charCodeAt(0) - 0x6f0))
+  .replace("\u066b", ".");
+
 function questionOf(asked: Demographic, texts: Texts): Question {
   const name = `about-${asked.id}`;
   const error = element("p", { class: "wrong", id: `${name}-wrong`, role: "alert" });
@@ -27,7 +33,8 @@ function questionOf(asked: Demographic, texts: Texts): Question {
   if (Array.isArray(asked.answer)) {
     const root = element("fieldset", { class: "question" }, element("legend", {}, asked.ask + optional));
     const inputs = asked.answer.map((text, index) => {
-      const input = element("input", { type: "radio", name, value: text, id: `${name}-${index}` });
+      const value = asked.values?.[index] ?? text;
+      const input = element("input", { type: "radio", name, value, id: `${name}-${index}` });
       input.addEventListener("change", () => { at = performance.now(); });
       root.append(element("div", { class: "line" }, input, element("label", { for: input.id }, text)));
       return input;
@@ -52,9 +59,8 @@ function questionOf(asked: Demographic, texts: Texts): Question {
       element("label", { for: name }, asked.ask + optional), input, error),
     focus: () => input.focus(),
     read() {
-      // Digits of Japanese keyboards are wide.
       const text = input.value.trim();
-      const narrow = text.normalize("NFKC");
+      const narrow = plainDigits(text);
       const isWrong = isNumber && text !== "" && !(/^[-+]?\d+([.,]\d+)?$/.test(narrow));
       error.textContent = isWrong ? texts.numberWanted
         : text === "" && asked.required ? texts.answerWanted : "";

@@ -2,6 +2,7 @@
 
 import { button, element, heading, paragraphs } from "./elements";
 import type { Response } from "./experiment";
+import { plainDigits } from "./text_view";
 import type { Texts } from "./texts";
 import { hasCountedTones, toneAttempts, toneCount, toneItem } from "./tone_count";
 
@@ -65,7 +66,7 @@ function askForTones(display: HTMLElement, session: string, attempt: number, tex
       input.focus();
     };
     const answer = () => {
-      const text = input.value.normalize("NFKC").trim();
+      const text = plainDigits(input.value.trim());
       const isNumber = /^\d+$/.test(text);
       wrong.textContent = isNumber ? "" : texts.numberWanted;
       input.setAttribute("aria-invalid", String(!isNumber));

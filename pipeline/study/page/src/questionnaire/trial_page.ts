@@ -40,6 +40,14 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   return first ? [shown(first, "alone")] : [];
 }
 
+/** The width that the longest word of the ends of scales needs, in its font's size; Chinese and Japanese break
+    anywhere. */
+function poleWidth(rows: HTMLElement): number {
+  const words = [...rows.querySelectorAll(".pole")].flatMap((pole) => (pole.textContent ?? "").split(/[\s/-]+/));
+  const broken = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}]/u;
+  return 0.65 * Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+}
+
 /** One trial: stimuli, answers, a comment; done when all is answered. */
 class TrialAtWork {
   private began = performance.now();
@@ -87,6 +95,7 @@ class TrialAtWork {
     this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
       ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
+    rows.style.setProperty("--pole", `${poleWidth(rows)}em`);
     for (const legend of rows.querySelectorAll("legend"))
       if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);
@@ -102,8 +111,8 @@ class TrialAtWork {
     const { texts, session } = around;
     const all = session.trials.length;
     const bar = element("progress", { max: String(all), value: String(trial.number - 1),
-      "aria-label": texts.trialOf(trial.number, all) });
-    const place = element("h1", { tabindex: "-1" }, texts.trialOf(trial.number, all));
+      "aria-label": texts.trialOf({ number: trial.number, all }) });
+    const place = element("h1", { tabindex: "-1" }, texts.trialOf({ number: trial.number, all }));
     const head = element("header", { class: "trial-head" }, place, bar);
     if (trial.practice) place.append(" ", element("span", { class: "badge" }, texts.practice));
     return head;
@@ -198,7 +207,7 @@ class TrialAtWork {
     const missing = this.missing();
     if (this.isDone || !this.isOpen) return;
     if (missing.length) {
-      this.note.textContent = this.around.texts.missing(missing.length);
+      this.note.textContent = this.around.texts.missing({ count: missing.length });
       for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
       missing[0]!.focus();
       return;

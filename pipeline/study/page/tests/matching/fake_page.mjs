@@ -10,7 +10,7 @@ const page = join(here, "../../src/matching");
 const withFakeCore = {
   name: "fake core",
   setup(builder) {
-    builder.onResolve({ filter: /\/live\/core$/ }, ({ importer }) =>
+    builder.onResolve({ filter: /\/live\/(served|wasm)_core$/ }, ({ importer }) =>
       importer.includes("/src/") ? { path: join(here, "fake_live.ts") } : undefined);
   },
 };

@@ -713,11 +713,65 @@ async function takeToTrial(page) {
   await page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 }
 
+/** A page in the language that the browser prefers, and one that is written from right to left. */
+async function languages() {
+  const arabic = { "sad-happy": ["حزين", "سعيد"] };
+  const files = await filesOf(folder);
+  const inLanguages = (slider) => {
+    const experiment = JSON.parse(files["/experiment.json"]);
+    const items = structuredClone(experiment.items);
+    for (const [id, [low, high]] of Object.entries(arabic)) Object.assign(items[id], { low, high });
+    for (const item of Object.values(items)) item.slider = slider;
+    const demographics = structuredClone(experiment.demographics);
+    Object.assign(demographics.find(({ id }) => id === "hand"), { answer: ["اليسرى", "اليمنى"], values: ["left", "right"] });
+    experiment.languages = { en: {}, de: { title: "Wie geht diese Person?" }, ar: { title: "كيف", items, demographics } };
+    return serve({ ...files, "/experiment.js":
+      Buffer.from(`globalThis.mienExperiment = ${JSON.stringify(experiment)};`) });
+  };
+  const server = await inLanguages(false), sliding = await inLanguages(true);
+  const start = (from, locale) => open(`${from.base}/index.html?participant=p001`, { ...desktop, locale });
+  const chosen = {};
+  for (const locale of ["de-AT", "fr-FR", "ar-EG", "en-GB"]) {
+    const { page } = await start(server, locale);
+    await page.waitForSelector(".page .main");
+    chosen[locale] = await page.evaluate(() => [document.documentElement.lang, document.documentElement.dir,
+      document.title, document.querySelector(".main").textContent]);
+  }
+  const points = (await start(server, "ar-EG")).page;
+  await takeToTrial(points);
+  const inputs = points.locator("fieldset.asked").first().locator("input");
+  await inputs.first().focus();
+  await points.keyboard.press("Enter");
+  for (let step = 0; step < 2; step += 1) await points.keyboard.press("ArrowLeft");
+  const checked = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
+  await points.keyboard.press("ArrowRight");
+  const back = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
+  const places = await inputs.evaluateAll((all) => all.map((input) => input.getBoundingClientRect().left));
+  const poles = await points.locator("fieldset.asked").first().locator(".pole").evaluateAll((all) =>
+    all.map((pole) => [pole.textContent, Math.round(pole.getBoundingClientRect().left)]));
+  const faults = await faultsOf(points);
+  const slides = (await start(sliding, "ar-EG")).page;
+  await takeToTrial(slides);
+  const slider = slides.locator('.asked input[type="range"]').first();
+  await slider.focus();
+  await slides.keyboard.press("ArrowLeft");
+  const moved = Number(await slider.inputValue());
+  const box = await slider.boundingBox();
+  await slider.click({ position: { x: box.width * 0.9, y: box.height / 2 } });
+  const clicked = Number(await slider.inputValue());
+  const whole = await start(server, "ar-EG");
+  await take(whole.page, { age: "٢٧" });
+  const saved = await withFiles(whole);
+  server.close();
+  sliding.close();
+  return { chosen, checked, back, places, poles, faults, moved, clicked, ...saved };
+}
+
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
-  thanks_again: thanksAgain, crowded, heard };
+  thanks_again: thanksAgain, crowded, heard, languages };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

@@ -7,6 +7,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/page_bundle.h"
+#include "pipeline/base/documents/sha256.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
@@ -211,9 +212,72 @@ TEST(Experiment, HasWhatThePageNeeds) {
 }
 
 TEST(Experiment, JoinsLinesOfJapaneseWithoutABlank) {
-  EXPECT_EQ(paragraphs_of("歩く\n人\n\n次", InterfaceLanguage::japanese),
-            (std::vector<std::string>{"歩く人", "次"}));
-  EXPECT_TRUE(paragraphs_of("\n \n", InterfaceLanguage::english).empty());
+  EXPECT_EQ(paragraphs_of("歩く\n人\n\n次", "ja"), (std::vector<std::string>{"歩く人", "次"}));
+  EXPECT_TRUE(paragraphs_of("\n \n", "en").empty());
+}
+
+/// The study in German, English and Japanese, between which browsers choose.
+std::string study_in_languages() {
+  std::string text = study_text;
+  const auto put = [&](const std::string& before, const std::string& after) {
+    const std::size_t at = text.find(before);
+    EXPECT_NE(at, text.npos) << before;
+    text.replace(at, before.size(), after);
+  };
+  put("title: How does this person walk?",
+      "language: {browser: [en, ja]}\n  title: {en: Walk, ja: 歩行}");
+  put("consent: |\n    One line\n    and its next.\n\n    Another paragraph.\n",
+      "consent: {en: 'Yes.', ja: はい。}\n");
+  put("[{id: age, ask: \"How old are you?\", answer: number}]",
+      "[{id: hand, ask: {en: Hand, ja: 手}, answer: {en: [left, right], ja: [左, 右]}}]\n"
+      "  screening: {questions: [{id: eyes, ask: {en: Eyes, ja: 目}, "
+      "answer: {en: ['yes', 'no'], ja: [はい, いいえ]}}]}");
+  return text;
+}
+
+TEST(Experiment, HasAllTextsInEachLanguage) {
+  const Exported study(study_in_languages());
+  const json experiment = experiment_json(study.manifest, study.plans, study.media);
+  EXPECT_EQ(experiment.at("language"), "en");
+  EXPECT_EQ(experiment.at("title"), "Walk");
+  EXPECT_EQ(experiment.at("demographics")[0].at("answer"), (json{"left", "right"}));
+  EXPECT_EQ(experiment.at("screening").at("questions")[0].at("ask"), "Eyes");
+  EXPECT_EQ(experiment.at("languages").at("en"), json::object());
+  const json& japanese = experiment.at("languages").at("ja");
+  EXPECT_EQ(japanese.at("title"), "歩行");
+  EXPECT_EQ(japanese.at("texts").at("consent"), json{"はい。"});
+  EXPECT_EQ(japanese.at("items").at("sad-happy").at("low"), "悲しい");
+  EXPECT_EQ(experiment.at("items").at("sad-happy").at("low"), "sad");
+  EXPECT_EQ(japanese.at("demographics")[0].at("ask"), "手");
+  EXPECT_EQ(japanese.at("demographics")[0].at("answer"), (json{"左", "右"}));
+  EXPECT_EQ(japanese.at("demographics")[0].at("values"), (json{"left", "right"}));
+  EXPECT_EQ(japanese.at("screening").at("questions")[0].at("values"), (json{"yes", "no"}));
+  EXPECT_EQ(experiment.at("consent").at("sha256"), sha256_of("Yes."));
+  EXPECT_EQ(japanese.at("consent").at("sha256"), sha256_of("はい。"));
+  EXPECT_EQ(japanese.at("settings"), experiment.at("settings"));
+}
+
+TEST(Experiment, IsAnotherDesignInOtherWordsOfAnyLanguage) {
+  const auto design = [](const std::string& text) {
+    const Manifest manifest = study_of(text);
+    return design_hash(manifest, plan_sessions(manifest));
+  };
+  const std::string text = study_in_languages();
+  for (const auto& [before, after] :
+       std::vector<std::pair<std::string, std::string>>{{"ja: 歩行", "ja: 歩き"},
+                                                        {"ja: はい。", "ja: ええ。"},
+                                                        {"[左, 右]", "[左手, 右手]"},
+                                                        {"[en, ja]", "[ja, en]"}}) {
+    std::string other = text;
+    other.replace(other.find(before), before.size(), after);
+    EXPECT_NE(design(other), design(text)) << after;
+  }
+}
+
+// Such a study keeps the hash that it had before pages had languages to choose from.
+TEST(Experiment, OfOneLanguageIsTheDesignThatItWas) {
+  const Manifest manifest = study_of(study_text);
+  EXPECT_EQ(design_hash(manifest, plan_sessions(manifest)), "1960b6f30eaf096ddd632208132798e7");
 }
 
 TEST(Experiment, CallsMediaBySeed) {

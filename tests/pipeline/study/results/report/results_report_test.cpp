@@ -211,7 +211,7 @@ TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
   }
   Demographic gender;
   gender.id = "gender";
-  gender.answer.choices = {"woman", "man"};
+  gender.answer.choices.words = {"woman", "man"};
   manifest.questionnaire->demographics = {gender};
   const std::vector<AnswerRow> rows = answers_to(manifest);
   std::string table = "participant,session,gender\n";

@@ -16,8 +16,7 @@ function emotionOf({ choices: ids, experiment, texts, answered }: Asking): Asked
 
 export const emotion: CheckedKind = {
   ask: (asking) => asking.trial.items.map(({ item: id, flipped }) => id === emotionItem ? emotionOf(asking)
-    : scaleOf(id, asking.experiment.items[id], flipped, asking.experiment.language, asking.texts,
-      asking.answered)),
+    : scaleOf(id, asking.experiment.items[id], flipped, asking.texts, asking.answered)),
 
   question: (_trial, _experiment, texts) => texts.whichEmotion,
 
@@ -28,6 +27,6 @@ export const emotion: CheckedKind = {
 
   checkText(trial, experiment, texts) {
     const expected = trial.expected ?? "";
-    return texts.chooseWord(experiment.choices?.[expected] ?? expected);
+    return texts.chooseWord({ word: experiment.choices?.[expected] ?? expected });
   },
 };

@@ -26,7 +26,10 @@ function sidesOf({ experiment, texts }: Pick<Asking, "experiment" | "texts">, id
 function sideOf(id: string, asking: Asking): Asked {
   const { experiment, texts, answered } = asking;
   const item = experiment.items[id];
-  return choicesOf(id, item ? texts.more(item.high) : id, "", "", sidesOf(asking, id), String, null, answered);
+  const asked = choicesOf(id, item ? texts.more({ word: item.high }) : id, "", "", sidesOf(asking, id), String, null,
+    answered);
+  if (experiment.settings.pairs !== "in_turn") asked.root.classList.add("sides");
+  return asked;
 }
 
 export const pair: CheckedKind = {
@@ -39,7 +42,7 @@ export const pair: CheckedKind = {
 
   question({ items: [only, other] }, experiment, texts) {
     const item = only && !other ? experiment.items[only.item] : undefined;
-    return item ? texts.whichIsMore(item.high) : texts.whichOfTwo;
+    return item ? texts.whichIsMore({ word: item.high }) : texts.whichOfTwo;
   },
 
   meaning: ({ media: [left, right] }, { value_raw: raw }, _raw, _experiment, stimulus) =>
@@ -49,6 +52,6 @@ export const pair: CheckedKind = {
 
   checkText({ items: [first], expected }, experiment, texts) {
     const asked = sidesOf({ experiment, texts }, first?.item ?? "").find(({ value }) => value === expected);
-    return texts.chooseWord(asked?.meaning ?? asked?.text ?? expected ?? "");
+    return texts.chooseWord({ word: asked?.meaning ?? asked?.text ?? expected ?? "" });
   },
 };

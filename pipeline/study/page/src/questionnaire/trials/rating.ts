@@ -13,7 +13,7 @@ function valueOf(item: Item, flipped: boolean, raw: number): number {
 
 export const rating: CheckedKind = {
   ask: ({ trial, experiment, texts, answered }) => trial.items.map(({ item: id, flipped }) =>
-    scaleOf(id, experiment.items[id], flipped, experiment.language, texts, answered)),
+    scaleOf(id, experiment.items[id], flipped, texts, answered)),
 
   question: (_trial, _experiment, texts) => texts.rate,
 
@@ -30,7 +30,7 @@ export const rating: CheckedKind = {
     const { item: id, flipped } = trial.items[0] ?? { item: "attention", flipped: false };
     const item = experiment.items[id];
     if (item?.words) return wordsOf(id, texts.attention, answered);
-    if (item) return scaleOf(id, { ...item, default: null }, flipped, experiment.language, texts, answered);
+    if (item) return scaleOf(id, { ...item, default: null }, flipped, texts, answered);
     const choices = [1, 2, 3, 4, 5].map((place): Choice => ({ value: String(place), text: String(place),
       look: lookOf(place, 5) }));
     return choicesOf(id, texts.attention, "", "", choices, Number, null, answered);
@@ -39,11 +39,11 @@ export const rating: CheckedKind = {
   checkText(trial, experiment, texts) {
     const item = experiment.items[trial.items[0]?.item ?? ""];
     const expected = trial.expected ?? "";
-    if (item?.words) return texts.writeWord(expected);
+    if (item?.words) return texts.writeWord({ word: expected });
     const place = Number(expected);
     if (item?.slider)
-      return place === 0 ? texts.putLeft : place === 100 ? texts.putRight : texts.putSlider(place);
+      return place === 0 ? texts.putLeft : place === 100 ? texts.putRight : texts.putSlider({ place });
     return place === 1 ? texts.pressLeftmost : place === (item?.points ?? 5) ? texts.pressRightmost
-      : texts.pressNumber(place);
+      : texts.pressNumber({ place });
   },
 };
