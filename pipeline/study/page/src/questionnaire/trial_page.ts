@@ -137,7 +137,8 @@ class TrialAtWork {
     const { texts, experiment } = this.around;
     this.answers.inert = true;
     this.answers.classList.add("locked");
-    this.note.textContent = experiment.settings.watch === "full" ? texts.watchFirst : texts.playFirst;
+    const watch = this.trial.media.length > 1 ? texts.watchAllFirst : texts.watchFirst;
+    this.note.textContent = experiment.settings.watch === "full" ? watch : texts.playFirst;
     // The play button may be loading still; it has the focus once it can be pressed.
     const focus = () => {
       if (this.isDone || this.isOpen) return;
