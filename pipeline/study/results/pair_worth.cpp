@@ -161,6 +161,11 @@ PairWorth worth_of(const AnswerSet& answer_set, const std::string& item) {
   count_outcomes(asked, worth);
   fit_model(asked, worth);
   resample_people(asked, worth);
+  if (!answer_set.sets.empty()) {
+    worth.is_implied = true;
+    worth.equal = worth.order = {none, 0, none};
+    return worth;
+  }
   worth.transitivity = transitivity_violations(asked.all, asked.stimuli.size());
   for (std::size_t i = 0; i < asked.people.size(); ++i)
     if (const auto own = circular_triads(asked.by_person[i], asked.stimuli.size()))

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "pipeline/study/results/answer_set.h"
+#include "pipeline/study/results/best_worst_scores.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
+#include "pipeline/study/results/detection_results.h"
 #include "pipeline/study/results/factor_contrasts.h"
 #include "pipeline/study/results/factor_effects.h"
 #include "pipeline/study/results/group_comparisons.h"
@@ -32,6 +34,8 @@ struct Results {
   std::vector<Reliability> reliability;
   std::vector<PreferenceCount> preferences;
   std::vector<PairWorth> worths;
+  DetectionResults detection;
+  std::vector<BestWorstScore> best_worst;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
@@ -57,6 +61,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.reliability = reliability_of(results.answer_set);
   results.preferences = preferences_of(results.answer_set);
   results.worths = worths_of(results.answer_set);
+  results.detection = detection_results(results.answer_set);
+  results.best_worst = best_worst_scores(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.participants = participant_summaries(results.answer_set, rows);
   results.retest_answers = retest_answers_of(results.answer_set, rows);

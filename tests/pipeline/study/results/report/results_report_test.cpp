@@ -330,7 +330,7 @@ TEST(ResultsReport, HasTheWorthOfComparedStimuli) {
   for (const CsvField& column : worth.header)
     EXPECT_NE(files.at("codebook.csv")
                   .find("results/worth.csv,scale and stimulus of a study of "
-                        "pairs," +
+                        "pairs or sets," +
                         column.text + ","),
               std::string::npos)
         << column.text;
