@@ -113,8 +113,7 @@ constexpr auto balance_columns = table_of<BalanceCount>(
     {{"count", "",
       "seen, place, follows, together, flipped (high end on the left), left (the first of a pair "
       "on "
-      "the left, or shown first) or same (the same stimulus shown twice) or in_set (place in a "
-      "set)",
+      "the left, or shown first), same (the same stimulus shown twice) or in_set (place in a set)",
       [](auto& r) { return r.count; }},
      {"one", "", "what is counted: a stimulus, pair or scale", [](auto& r) { return r.one; }},
      {"other", "",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,48 @@ TEST(BestWorst, ScoresAndWorthsAreInTheOrderOfTheTruth) {
   EXPECT_TRUE(std::isnan(worths[0].order.p));
   EXPECT_EQ(worths[0].transitivity.triads, 0);
   EXPECT_TRUE(worths[0].triads.empty());
+}
+
+/// Answers about all sets of four of five stimuli, by participants whose utilities are worths with
+/// Gumbel's distribution, under which comparisons of two follow Bradley and Terry's model.
+AnswerSet answers_by_utility(const std::vector<double>& worths, int people, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto gumbel = [&] {
+    return -std::log(-std::log((static_cast<double>(random() >> 11) + 0.5) * 0x1p-53));
+  };
+  AnswerSet answers;
+  answers.form = &best_worst_form;
+  for (std::size_t i = 0; i < worths.size(); ++i) answers.stimuli.push_back({.id = {}});
+  for (int person = 0; person < people; ++person) {
+    answers.people.push_back(std::to_string(person));
+    for (std::size_t omitted = 0; omitted < worths.size(); ++omitted) {
+      AnalysedSet set{.person = static_cast<std::size_t>(person), .stimuli = {}, .scale = "s"};
+      std::vector<double> utilities;
+      for (std::size_t i = 0; i < worths.size(); ++i)
+        if (i != omitted) set.stimuli.push_back(i);
+      std::ranges::shuffle(set.stimuli, random);
+      for (const std::size_t one : set.stimuli) utilities.push_back(worths[one] + gumbel());
+      set.best = static_cast<std::size_t>(std::ranges::max_element(utilities) - utilities.begin());
+      set.worst = static_cast<std::size_t>(std::ranges::min_element(utilities) - utilities.begin());
+      for (const AnalysedPreference& one : implied_preferences(set))
+        answers.preferences.push_back(one);
+      answers.sets.push_back(std::move(set));
+    }
+  }
+  return answers;
+}
+
+TEST(BestWorst, FindsKnownWorthsApproximately) {
+  const std::vector<double> truth = {-1.0, -0.5, 0.0, 0.4, 1.1};
+  const auto worths = worths_of(answers_by_utility(truth, 2000, 5));
+  ASSERT_EQ(worths.size(), 1u);
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    greatest = std::max(greatest, std::abs(worths[0].stimuli[i].worth - truth[i]));
+    RecordProperty("worth " + std::to_string(truth[i]), std::to_string(worths[0].stimuli[i].worth));
+  }
+  EXPECT_LT(greatest, 0.15);
+  EXPECT_NEAR(worths[0].fit.order, 0.0, 0.06);
 }
 
 TEST(BestWorst, LeavesOutSetsOfWhichHalfIsMissing) {
