@@ -568,6 +568,13 @@ TEST_F(QuestionnairePage, AsksForDifferencesSignalsAndTheBestByKeysAlone) {
     const json checked = played("accessibility", there);
     EXPECT_EQ(checked.at("faults"), json::array()) << kind;
   }
+  const json set = played("set", scratch->path() / "best_worst");
+  EXPECT_EQ(set.at("troubles"), json::array());
+  EXPECT_EQ(set.at("barred").at(0), (json{"free", "chosen", "free"}));
+  EXPECT_EQ(set.at("barred").at(1), (json{"free", "barred", "free"}));
+  EXPECT_EQ(set.at("chosen").at(0), (json{"free", "chosen", "barred"}));
+  EXPECT_EQ(set.at("chosen").at(1), (json{"free", "barred", "chosen"}));
+  EXPECT_EQ(set.at("chosen").at(2), (json{"free", "free", "free"}));
 }
 
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {

@@ -124,8 +124,10 @@ TEST(BestWorst, LeavesOutSetsOfWhichHalfIsMissing) {
   const Manifest manifest = set_study(4);
   auto rows = answers_to(manifest);
   const auto complete = collect_answers(manifest, rows).sets.size();
-  rows.erase(rows.begin());
+  rows.erase(rows.begin());  // the best of the first set
   EXPECT_EQ(collect_answers(manifest, rows).sets.size(), complete - 1);
+  rows.erase(rows.begin() + 2);  // the worst of the second
+  EXPECT_EQ(collect_answers(manifest, rows).sets.size(), complete - 2);
 }
 
 TEST(BestWorst, RefusesWhatNoPageOffers) {
