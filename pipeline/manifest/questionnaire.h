@@ -83,6 +83,32 @@ void fields_of(auto&& field, MaybeConst<PreferenceSettings> auto& preference) {
   field("alike", preference.alike, concerns::nothing);
 }
 
+/// How the pairs of same–different trials are made up.
+struct SameDifferentSettings {
+  double same = 0.5;  ///< share of the trials in which a stimulus is shown twice, above 0, below 1
+  /// If not empty and no pairs are listed: the different pairs are those whose stimuli have
+  /// different levels of this factor and equal levels of all other factors.
+  std::string differ_in;
+  friend bool operator==(const SameDifferentSettings&, const SameDifferentSettings&) = default;
+};
+
+void fields_of(auto&& field, MaybeConst<SameDifferentSettings> auto& pairs) {
+  field("same", pairs.same, concerns::nothing);
+  field("differ_in", pairs.differ_in, concerns::nothing);
+}
+
+/// The sets of stimuli of best–worst trials.
+struct BestWorstSettings {
+  int size = 4;  ///< number of stimuli in a set, 3 to 6
+  int sets = 0;  ///< number of different sets; 0: as many as stimuli
+  friend bool operator==(const BestWorstSettings&, const BestWorstSettings&) = default;
+};
+
+void fields_of(auto&& field, MaybeConst<BestWorstSettings> auto& sets) {
+  field("size", sets.size, concerns::nothing);
+  field("sets", sets.sets, concerns::nothing);
+}
+
 /// The size of stimuli on the screen.
 struct DisplaySettings {
   DisplaySize size;           ///< of the width of each video
@@ -190,9 +216,12 @@ struct Questionnaire {
   const TrialForm* trials = &rating_form;  ///< form of the trials
   ScaleChoice scales;
   DisplayedChoices choices;  ///< possible answers; empty: the levels of the factor emotion
-  /// Stimuli of each pair, for forms with two stimuli; empty: all pairs.
+  /// Stimuli of each pair, for forms with two stimuli; empty: all pairs that suit the form.
   std::vector<std::vector<std::string>> pairs;
-  PreferenceSettings preference;  ///< only for forms with two stimuli
+  PreferenceSettings preference;         ///< only for forms with two stimuli
+  SameDifferentSettings same_different;  ///< only for same–different trials
+  BestWorstSettings best_worst;          ///< only for best–worst trials
+  StimulusChoice signal;  ///< of detection (yes_no, two_interval): the stimuli with the signal
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
@@ -232,6 +261,9 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field.by("choices", questionnaire.choices, concerns::nothing, ChoicesForm());
   field("pairs", questionnaire.pairs, concerns::nothing);
   field("preference", questionnaire.preference, concerns::nothing);
+  field("same_different", questionnaire.same_different, concerns::nothing);
+  field("best_worst", questionnaire.best_worst, concerns::nothing);
+  field.by("signal", questionnaire.signal, concerns::nothing, StimulusChoiceForm());
   field("answer", questionnaire.answer, concerns::nothing);
   field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());
   field("no_repeats", questionnaire.no_repeats, concerns::nothing);

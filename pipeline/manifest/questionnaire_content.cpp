@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 
+#include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
 namespace mien::pipeline {
@@ -14,25 +15,14 @@ bool is_among(const std::string& name, const std::vector<std::string>& names) {
   return std::ranges::find(names, name) != names.end();
 }
 
-bool has_levels(const Stimulus& stimulus, const StimulusChoice& choice) {
+}  // namespace
+
+bool is_chosen(const Stimulus& stimulus, const StimulusChoice& choice) {
+  if (!choice.ids.empty()) return is_among(stimulus.id, choice.ids);
   return std::ranges::all_of(choice.levels, [&](const auto& wanted) {
     return is_among(level_of(stimulus, wanted.first), wanted.second);
   });
 }
-
-/// For each stimulus, its levels of these factors.
-std::vector<std::vector<std::string>> levels_by_id(const Manifest& manifest,
-                                                   const std::vector<std::string>& ids,
-                                                   const std::vector<std::string>& factors) {
-  std::vector<std::vector<std::string>> levels;
-  for (const std::string& id : ids) {
-    std::vector<std::string>& own = levels.emplace_back();
-    for (const std::string& factor : factors) own.push_back(level_of(manifest, id, factor));
-  }
-  return levels;
-}
-
-}  // namespace
 
 const Questionnaire& questionnaire_of(const Manifest& manifest) {
   if (manifest.questionnaire) return *manifest.questionnaire;
@@ -95,7 +85,7 @@ std::vector<std::string> questionnaire_stimuli(const Manifest& manifest) {
   if (!choice.ids.empty()) return choice.ids;
   std::vector<std::string> ids;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!stimulus.id.empty() && has_levels(stimulus, choice)) ids.push_back(stimulus.id);
+    if (!stimulus.id.empty() && is_chosen(stimulus, choice)) ids.push_back(stimulus.id);
   }
   return ids;
 }
@@ -108,14 +98,25 @@ std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& man
     for (const std::string& id : ids) subjects.push_back({id});
     return subjects;
   }
-  std::ranges::copy_if(asked.pairs, std::back_inserter(subjects),
-                       [&](const auto& pair) { return pair.size() == asked.trials->stimuli; });
-  if (!subjects.empty()) return subjects;
-  const auto levels = levels_by_id(manifest, ids, asked.preference.alike);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    for (std::size_t j = i + 1; j < ids.size(); ++j)
-      if (levels[i] == levels[j]) subjects.push_back({ids[i], ids[j]});
+  if (asked.trials->is_set) return subjects;
+  subjects = different_pairs(manifest);
+  if (asked.trials == &same_different_form) {
+    const auto same = same_pairs(manifest, subjects);
+    subjects.insert(subjects.end(), same.begin(), same.end());
+  }
   return subjects;
+}
+
+std::size_t stimuli_per_trial(const Questionnaire& asked) {
+  return asked.trials->is_set ? static_cast<std::size_t>(asked.best_worst.size)
+                              : asked.trials->stimuli;
+}
+
+std::size_t questionnaire_subject_count(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  if (!asked.trials->is_set) return questionnaire_subjects(manifest).size();
+  return asked.best_worst.sets > 0 ? static_cast<std::size_t>(asked.best_worst.sets)
+                                   : questionnaire_stimuli(manifest).size();
 }
 
 std::vector<std::string> shown_stimuli(const Manifest& manifest) {
@@ -131,6 +132,10 @@ std::vector<std::string> shown_stimuli(const Manifest& manifest) {
     if (ids.contains(stimulus.id)) shown.push_back(stimulus.id);
   }
   return shown;
+}
+
+PairPresentation pair_presentation(const Questionnaire& asked) {
+  return asked.trials->is_in_turn ? PairPresentation::in_turn : asked.preference.shown;
 }
 
 std::vector<std::pair<std::string, std::string>> questionnaire_choices(const Manifest& manifest) {

@@ -37,13 +37,27 @@ ScaleSet questionnaire_scales(const Manifest& manifest);
 /// it does not name stimuli, in that of the manifest.
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest);
 
+/// Returns whether a choice of stimuli includes one.
+bool is_chosen(const Stimulus& stimulus, const StimulusChoice& choice);
+
 /// Returns what trials can show: one stimulus each, in the order of questionnaire_stimuli, or the
-/// pairs that the questionnaire lists, in that order (all pairs if it lists none).
+/// pairs of two different stimuli (different_pairs), followed in same–different trials by those of
+/// a stimulus with itself (same_pairs), of which several are equal. None of sets: the study makes
+/// them (trial_subjects.h).
 std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& manifest);
+
+/// Returns the number of stimuli that a trial shows, apart from a reference.
+std::size_t stimuli_per_trial(const Questionnaire& asked);
+
+/// Returns the number of what trials can show, sets included.
+std::size_t questionnaire_subject_count(const Manifest& manifest);
 
 /// Returns the ids of all stimuli that a questionnaire shows in trials, in practice or as
 /// reference, without duplicates, in the order of the manifest.
 std::vector<std::string> shown_stimuli(const Manifest& manifest);
+
+/// Returns whether the stimuli of a pair are shown side by side or one after the other.
+PairPresentation pair_presentation(const Questionnaire& asked);
 
 /// Returns the possible answers of a trial that offers choices, as id → displayed text: the named
 /// ones, otherwise the levels of the factor `emotion`.

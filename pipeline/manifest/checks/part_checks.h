@@ -71,6 +71,11 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest);
 /// of pages, and texts, choices and scales that are not given in all languages offered.
 std::vector<Fault> check_languages(const Manifest& manifest);
 
+/// Returns faults of the form of a questionnaire's trials: keys that do not apply to it, scales or
+/// words that it does not ask, and signals and pairs that do not suit it. No faults without
+/// questionnaire.
+std::vector<Fault> check_trial_form(const Manifest& manifest);
+
 /// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);

@@ -84,10 +84,9 @@ class QuestionnaireCheck {
     });
   }
 
-  void check_stimuli() {
-    const std::string path = at("stimuli");
-    check_ids(path, questionnaire_.stimuli.ids, "stimulus", ids_);
-    for (const auto& [factor, levels] : questionnaire_.stimuli.levels) {
+  void check_choice(const std::string& path, const StimulusChoice& choice) {
+    check_ids(path, choice.ids, "stimulus", ids_);
+    for (const auto& [factor, levels] : choice.levels) {
       const std::string place = member_path(path, factor);
       if (std::ranges::find(factors_, factor) == factors_.end()) {
         list_.add_at_key(place, "unknown factor", motion::did_you_mean(factor, factors_));
@@ -95,7 +94,21 @@ class QuestionnaireCheck {
         check_ids(place, levels, "level", levels_of_factor(factor));
       }
     }
-    check_ids(at("practice"), questionnaire_.practice, "stimulus", ids_);
+  }
+
+  /// The same stimulus may be shown twice in practice only where it is in the main part, too.
+  void check_practice() {
+    if (&form_ != &same_different_form && !form_.is_set)
+      return check_ids(at("practice"), questionnaire_.practice, "stimulus", ids_);
+    for (std::size_t i = 0; i < questionnaire_.practice.size(); ++i)
+      list_.check_known_name(element_path(at("practice"), i), questionnaire_.practice[i],
+                             "stimulus", ids_);
+  }
+
+  void check_stimuli() {
+    const std::string path = at("stimuli");
+    check_choice(path, questionnaire_.stimuli);
+    check_practice();
     if (!questionnaire_.reference.empty())
       list_.check_known_name(at("reference"), questionnaire_.reference, "stimulus", ids_);
     if (!ids_.empty() && are_levels_known() && questionnaire_stimuli(manifest_).empty())
@@ -139,33 +152,15 @@ class QuestionnaireCheck {
   }
 
   void check_trials() {
-    for (const auto& [name, form] : trial_form_words) {
-      if (list_.was_given(at(form->key)) && std::string_view(form->key) != form_.key)
-        list_.add_at_key(at(form->key), fmt::format("only {} trials have {}", name, form->key),
-                         fmt::format("add trials: {}", name));
-    }
-    if (form_.stimuli == 1 && list_.was_given(at("preference")))
-      list_.add_at_key(at("preference"), "only pair trials have preference", "add trials: pair");
-    const bool has_tie = std::ranges::find(ids_, tie_value) != ids_.end();
-    if (questionnaire_.preference.ties && has_tie)
-      list_.add(member_path(at("preference"), "ties"),
-                "a stimulus has the id \"tie\", which answers without a preference have",
-                "rename the stimulus");
-    if (form_.offers_choices && questionnaire_.choices.empty() &&
-        questionnaire_choices(manifest_).size() < 2) {
-      list_.add(at("trials"), "there are fewer than two emotions to choose from",
-                "add choices: [sad, happy], or the factor emotion to the stimuli");
-    }
-    if (form_.stimuli > 1 && !questionnaire_.reference.empty())
-      list_.add(at("reference"), "the two stimuli of a pair are already compared", "omit it");
-    if (!form_.is_on_scale && questionnaire_.answer.words)
-      list_.add(member_path(at("answer"), "words"), "choices between two stimuli have no words",
-                "omit it");
-    if (questionnaire_.practice.size() % form_.stimuli != 0)
-      list_.add(at("practice"), "practice with pairs needs an even number of stimuli",
-                "name an even number");
+    if (const std::size_t each = stimuli_per_trial(questionnaire_);
+        each > 0 && questionnaire_.practice.size() % each != 0)
+      list_.add(at("practice"),
+                each == 2 ? "practice with pairs needs an even number of stimuli"
+                          : fmt::format("practice needs {} stimuli for each trial", each),
+                each == 2 ? "name an even number" : "name as many for each practice trial");
     for (std::size_t i = 0; i < questionnaire_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), questionnaire_.pairs[i], "stimulus", ids_);
+    check_choice(at("signal"), questionnaire_.signal);
     check_alike();
   }
 
@@ -202,7 +197,7 @@ class QuestionnaireCheck {
   /// Reports too many pairs: no participant would rate them all, and they would not fit in memory.
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
-    if (form_.stimuli == 1 || !questionnaire_.pairs.empty()) return false;
+    if (form_.stimuli == 1 || form_.is_set || !questionnaire_.pairs.empty()) return false;
     const Names ids = questionnaire_stimuli(manifest_);
     std::map<Names, std::size_t> counts;
     for (const std::string& id : ids) {
@@ -222,7 +217,7 @@ class QuestionnaireCheck {
 
   void check_numbers() {
     if (are_too_many_pairs()) return;
-    const std::size_t trials = questionnaire_subjects(manifest_).size();
+    const std::size_t trials = questionnaire_subject_count(manifest_);
     if (trials == 0 && !ids_.empty() && !questionnaire_.preference.alike.empty())
       list_.add(member_path(at("preference"), "alike"),
                 "no two stimuli have equal levels of these factors",
@@ -321,6 +316,7 @@ class QuestionnaireCheck {
 std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
+  append(faults, check_trial_form(manifest));
   append(faults, check_shown_videos(manifest));
   append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));

@@ -100,7 +100,7 @@ std::vector<Fault> sound_warnings(const Manifest& manifest) {
 
 int analysed_trials(const Manifest& manifest) {
   const int own = manifest.questionnaire->per_participant;
-  const int all = static_cast<int>(questionnaire_subjects(manifest).size());
+  const int all = static_cast<int>(questionnaire_subject_count(manifest));
   return own == 0 ? all : std::min(own, all);
 }
 
@@ -137,7 +137,7 @@ std::vector<Fault> check_heard_sounds(const Manifest& manifest) {
     list.add("questionnaire.view", "figures that are turned have no sound",
              "omit view, or show stimuli without audio");
   } else if (asked.trials->stimuli > 1 && heard.size() > 1 &&
-             asked.preference.shown == PairPresentation::together) {
+             pair_presentation(asked) == PairPresentation::together) {
     list.add("questionnaire.preference", "two sounds would be heard at the same time",
              "show pairs one after the other: preference: {shown: in_turn}");
   } else if (!asked.reference.empty() && is_heard(asked.reference)) {

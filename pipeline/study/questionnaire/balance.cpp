@@ -1,6 +1,7 @@
 #include "pipeline/study/questionnaire/balance.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -18,19 +19,36 @@ std::string subject_of(std::vector<std::string> names) {
   return fmt::format("{}", fmt::join(names, "/"));
 }
 
+bool is_same_pair(const std::vector<std::string>& stimuli) {
+  return stimuli.size() == 2 && stimuli[0] == stimuli[1];
+}
+
 void count_session(const SessionPlan& plan, Balance& balance) {
   std::vector<std::string> seen;
+  std::string before;  // empty: none, or a stimulus with itself
+  int position = 0;
   for (const Trial& trial : plan.trials) {
     if (!trial.is_analysed()) continue;
+    ++position;
+    if (is_same_pair(trial.stimuli)) {
+      ++balance.same[trial.stimuli[0]];
+      before.clear();
+      continue;
+    }
     const std::string subject = subject_of(trial.stimuli);
     ++balance.seen[subject];
-    ++balance.position_counts[{subject, std::to_string(seen.size() + 1)}];
-    if (!seen.empty()) ++balance.succession_counts[{seen.back(), subject}];
+    ++balance.position_counts[{subject, std::to_string(position)}];
+    if (!before.empty()) ++balance.succession_counts[{before, subject}];
     for (const std::string& other : seen) ++balance.concurrence_counts[std::minmax(subject, other)];
-    if (trial.stimuli.size() > 1) balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
+    if (trial.kind->form->is_set)
+      for (std::size_t i = 0; i < trial.stimuli.size(); ++i)
+        ++balance.places[{trial.stimuli[i], std::to_string(i + 1)}];
+    else if (trial.stimuli.size() > 1)
+      balance.left[subject] += trial.stimuli[0] < trial.stimuli[1];
     seen.push_back(subject);
+    before = subject;
   }
-  balance.max_positions = std::max(balance.max_positions, static_cast<int>(seen.size()));
+  balance.max_positions = std::max(balance.max_positions, position);
 }
 
 void count_sides(const SessionPlan& plan, Balance& balance) {
@@ -54,6 +72,12 @@ CountRange range_over(const auto& counts, std::size_t possible) {
 std::string range_text(CountRange range, const char* unit) {
   return range.is_uniform() ? fmt::format("{} {}", range.least, unit)
                             : fmt::format("{} to {} {}", range.least, range.most, unit);
+}
+
+std::string counted_trials(const std::map<std::string, int>& counts) {
+  int all = 0;
+  for (const auto& [stimulus, count] : counts) all += count;
+  return fmt::format("{} trials", all);
 }
 
 void add_latin_sentence(const Manifest& manifest, const Balance& balance, int participants,
@@ -87,8 +111,9 @@ struct BalanceCount {
 constexpr auto balance_columns = table_of<BalanceCount>(
     "balance.csv", "count",
     {{"count", "",
-      "seen, place, follows, together, flipped (high end on the left) or left (the first of a pair "
-      "on the left)",
+      "seen, place, follows, together, flipped (high end on the left), left (the first of a pair "
+      "on "
+      "the left, or shown first), same (the same stimulus shown twice) or in_set (place in a set)",
       [](auto& r) { return r.count; }},
      {"one", "", "what is counted: a stimulus, pair or scale", [](auto& r) { return r.one; }},
      {"other", "",
@@ -119,8 +144,9 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
      {"kind", "", "kind of trial", [](auto& r) { return r.trial.kind_name(); }},
      {"stimulus", "", "stimulus shown; of a pair, the one on the left",
       [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
-     {"against", "", "the other stimulus of a pair, or the reference",
-      [](auto& r) { return r.trial.stimuli.size() > 1 ? r.trial.stimuli[1] : r.trial.reference; }},
+     {"against", "",
+      "the other stimulus of a pair, the others of a set, separated by spaces, or the reference",
+      [](auto& r) { return r.trial.against(); }},
      {"items", "", "items asked, in order, separated by semicolons",
       [](auto& r) { return r.items(false); }},
      {"flipped", "", "those of the items that have the high end on the left",
@@ -142,8 +168,12 @@ const TableForm plans_form = plans_columns.form();
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Balance balance;
-  for (const std::vector<std::string>& stimuli : trial_subjects(manifest).stimuli)
-    balance.seen.emplace(subject_of(stimuli), 0);
+  for (const std::vector<std::string>& stimuli : trial_subjects(manifest).stimuli) {
+    if (is_same_pair(stimuli))
+      balance.same.emplace(stimuli[0], 0);
+    else
+      balance.seen.emplace(subject_of(stimuli), 0);
+  }
   for (const SessionPlan& plan : plans) {
     count_session(plan, balance);
     count_sides(plan, balance);
@@ -179,6 +209,19 @@ CountRange left_range(const Balance& balance) {
   return range_over(balance.left, balance.left.size());
 }
 
+CountRange place_range(const Balance& balance) {
+  std::set<std::string> stimuli, places;
+  for (const auto& [key, count] : balance.places) {
+    stimuli.insert(key.first);
+    places.insert(key.second);
+  }
+  return range_over(balance.places, stimuli.size() * places.size());
+}
+
+CountRange same_range(const Balance& balance) {
+  return range_over(balance.same, balance.same.size());
+}
+
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants) {
   const TrialForm& form = *questionnaire_of(manifest).trials;
@@ -189,14 +232,26 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
                   range_text(position_range(balance), "times")),
       fmt::format("Each {} directly follows every other one {}.", form.judged,
                   range_text(succession_range(balance), "times")),
-      fmt::format("Any two {} are both shown in {}.", form.stimuli > 1 ? "pairs" : "stimuli",
+      fmt::format("Any two {} are both shown in {}.",
+                  form.is_set        ? "sets"
+                  : form.stimuli > 1 ? "pairs"
+                                     : "stimuli",
                   range_text(concurrence_range(balance), "sessions"))};
   if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     range_text(flipped_range(balance), "participants")));
-  if (form.stimuli > 1)
-    sentences.push_back(fmt::format("The first stimulus of each pair is on the left {}.",
+  if (form.is_set)
+    sentences.push_back(fmt::format("Each stimulus is shown {} in each place of a set.",
+                                    range_text(place_range(balance), "times")));
+  else if (form.stimuli > 1)
+    sentences.push_back(fmt::format("The first stimulus of each pair is {} {}.",
+                                    form.is_in_turn ? "shown first" : "on the left",
                                     range_text(left_range(balance), "times")));
+  if (!balance.same.empty())
+    sentences.push_back(fmt::format(
+        "The pairs above have two different stimuli; the same stimulus is shown twice in {}, each "
+        "stimulus in {}.",
+        counted_trials(balance.same), range_text(same_range(balance), "trials")));
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;
 }
@@ -215,6 +270,8 @@ std::string balance_csv(const Balance& balance) {
   add_pairs("together", balance.concurrence_counts);
   add("flipped", balance.flipped);
   add("left", balance.left);
+  add("same", balance.same);
+  add_pairs("in_set", balance.places);
   return balance_columns.of(rows).csv;
 }
 

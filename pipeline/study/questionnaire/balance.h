@@ -33,6 +33,9 @@ struct Balance {
       flipped;  ///< by item: number of participants with the high end at the left
   std::map<std::string, int>
       left;  ///< by pair: number of trials with the alphabetically first stimulus at the left
+  PairCounts places;  ///< of sets, by stimulus and place in the set, from "1": number of trials
+  /// By stimulus: number of trials in which it is shown twice. These are no subjects.
+  std::map<std::string, int> same;
   int max_positions = 0;  ///< number of analysed trials of the longest session
 };
 
@@ -45,6 +48,8 @@ CountRange succession_range(const Balance& balance);
 CountRange concurrence_range(const Balance& balance);
 CountRange flipped_range(const Balance& balance);
 CountRange left_range(const Balance& balance);
+CountRange place_range(const Balance& balance);
+CountRange same_range(const Balance& balance);
 
 /// Sentences that state what is balanced, and what cannot be balanced with that number of
 /// participants.

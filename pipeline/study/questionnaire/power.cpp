@@ -153,8 +153,12 @@ void check_level(const std::vector<std::string>& levels, const PowerOptions& opt
 
 void check(const Manifest& manifest, const PowerOptions& options) {
   const TrialSubjects subjects = trial_subjects(manifest);
-  if (questionnaire_of(manifest).trials->stimuli > 1)
-    throw Error("power is estimated for ratings only, but this questionnaire compares pairs",
+  const TrialForm& form = *questionnaire_of(manifest).trials;
+  if (form.stimuli > 1 || form.is_detection)
+    throw Error(fmt::format("power is estimated for ratings only, but this questionnaire {}",
+                            form.is_detection ? "measures d′"
+                            : form.is_set     ? "compares sets"
+                                              : "compares pairs"),
                 "leave --power out");
   if (subjects_per_participant(manifest, subjects) < 2)
     throw Error("no participant sees two stimuli, as a paired test requires",

@@ -59,7 +59,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
   for (const Trial& trial : plan.trials) {
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
-    if (questionnaire.preference.shown == PairPresentation::in_turn && trial.stimuli.size() == 2)
+    if (pair_presentation(questionnaire) == PairPresentation::in_turn && trial.stimuli.size() == 2)
       longest = video(trial.stimuli[0]) + video(trial.stimuli[1]) + seconds_between_pair;
     sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
     if (questionnaire.comments && !trial.is_attention_check()) sum += pace.comment;

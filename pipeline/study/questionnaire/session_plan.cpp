@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/ratings/answers/best_worst_item.h"
 #include "pipeline/study/questionnaire/main_part.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -68,8 +69,14 @@ class Planner {
     items_.clear();
     if (!form_.item.empty()) items_.push_back({.item = std::string(form_.item)});
     const bool has_poles = form_.is_on_scale && !questionnaire_.answer.words;
-    for (const std::string& scale : scales_)
+    for (const std::string& scale : scales_) {
+      if (&form_ == &best_worst_form) {
+        items_.push_back({.item = to_item({scale, true})});
+        items_.push_back({.item = to_item({scale, false})});
+        continue;
+      }
       items_.push_back({.item = scale, .flipped = has_poles && is_flipped(scale, index_)});
+    }
   }
 
   Trial trial_of(std::vector<std::string> stimuli, std::string block) const {
@@ -81,7 +88,7 @@ class Planner {
   }
 
   void lay_practice() {
-    const std::size_t each = form_.stimuli;
+    const std::size_t each = stimuli_per_trial(questionnaire_);
     for (std::size_t i = 0; i + each <= questionnaire_.practice.size(); i += each) {
       const auto first = questionnaire_.practice.begin() + static_cast<std::ptrdiff_t>(i);
       Trial trial = trial_of({first, first + static_cast<std::ptrdiff_t>(each)}, "practice");
@@ -106,8 +113,21 @@ class Planner {
     }
   }
 
-  /// Which of a pair is at the left: alternates between showings, starting at random.
+  /// Which of a pair is at the left: alternates between showings, starting at random. A set is
+  /// rotated, so that in as many showings as it has stimuli each is once in each place, in a random
+  /// cyclic order.
   void turn(Trial& trial, std::size_t times) const {
+    if (form_.is_set) {
+      if (!are_sides_random()) return;
+      const std::size_t count = trial.stimuli.size();
+      const std::vector<std::string> stimuli = trial.stimuli;
+      const std::string set = fmt::format("{}", fmt::join(stimuli, "/"));
+      const std::vector<std::size_t> order =
+          random_order(count, manifest_.seed, fmt::format("set/{}/{}", set, times / count));
+      for (std::size_t i = 0; i < count; ++i)
+        trial.stimuli[i] = stimuli[order[(i + times) % count]];
+      return;
+    }
     const std::string name = trial.stimuli[0] + "/" + trial.stimuli[1];
     if (is_flipped(name, static_cast<int>(times))) std::swap(trial.stimuli[0], trial.stimuli[1]);
   }

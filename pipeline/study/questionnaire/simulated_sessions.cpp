@@ -11,6 +11,7 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/base/statistics/named_random.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/ratings/answers/best_worst_item.h"
 #include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -77,17 +78,27 @@ class SimulatedSession {
         .chance = uniform(plan_.seed, name("chosen", trial, item))};
   }
 
-  /// The participant's opinion of a stimulus of the trial, in the scale's own range.
+  /// The participant's opinion of a stimulus of the trial, in the scale's own range; without scale
+  /// an observation with a standard deviation of 1.
   double opinion(const Question& question, std::size_t which) const {
-    const auto& [trial, item, scale, choices] = question;
+    const Trial& trial = question.trial;
+    // Best and worst are chosen by the same opinions.
+    TrialItem item = question.item;
+    if (const auto part = best_worst_item(item.item); part && trial.kind->form->is_set)
+      item.item = part->scale;
+    const ResponseScale* scale = find_scale(scales_, item.item);
     const std::string& stimulus = trial.stimuli[which];
     const auto known = truth_.find({stimulus, item.item});
-    const double mean = known != truth_.end() ? known->second : 0.5 * (scale->least + scale->most);
+    const double middle = scale == nullptr ? 0.0 : 0.5 * (scale->least + scale->most);
+    const double mean = known != truth_.end() ? known->second : middle;
     const double response_bias =
         people_.spread.participant * normal(plan_.seed, "lean/" + item.item);
-    const double rest =
-        people_.spread.residual * normal(plan_.seed, name("rest", trial, item) + "/" + stimulus);
-    return mean + response_bias + rest;
+    // The same stimulus is observed anew when it is shown a second time in a trial.
+    const bool is_again = which > 0 && stimulus == trial.stimuli[0];
+    const std::string rest_name =
+        name("rest", trial, item) + "/" + stimulus + (is_again ? "/again" : "");
+    const double deviation = scale == nullptr ? 1.0 : people_.spread.residual;
+    return mean + response_bias + deviation * normal(plan_.seed, rest_name);
   }
 
   /// A wrong answer to an attention check.

@@ -13,16 +13,20 @@
 namespace mien::pipeline {
 
 /// The assumed true ratings: (stimulus, scale) → population mean, in the scale's own range. A
-/// missing entry stands for the middle of the scale.
+/// missing entry stands for the middle of the scale. In detection, (stimulus, name of the kind of
+/// trial) → mean of the observations, in their standard deviations, so that differences are values
+/// of d′; a missing entry stands for 0.
 using StatedTruth = std::map<std::pair<std::string, std::string>, double>;
 
-/// Reads a CSV with the columns stimulus, scale and value. Throws Faults for stimuli and scales
-/// that are not in the questionnaire, and for values that are not numbers or are outside the scale.
+/// Reads a CSV with the columns stimulus, scale and value; in detection, the scale is the name of
+/// the kind of trial. Throws Faults for stimuli and scales that are not in the questionnaire, and
+/// for values that are not numbers or are outside the scale.
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file);
 
 /// True ratings by the model of simulated raters (simulated_raters.h) from features of the motions,
-/// which are synthesized. Throws Error if a motion cannot be synthesized or the model lacks a
-/// scale.
+/// which are synthesized. In yes–no and two-interval trials it is 1 for stimuli with the signal and
+/// 0 for others, in same–different trials the sum of the impressions of the model. Throws Error if
+/// a motion cannot be synthesized or the model lacks a scale.
 StatedTruth measured_truth(const Manifest& manifest);
 
 /// Parameters of the responses of simulated participants. Standard deviations are in scale units.
@@ -37,7 +41,10 @@ struct SimulatedParticipants {
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
 /// participant on that scale plus a residual, clamped to the scale and rounded to the points of the
 /// questionnaire. In a pair, the stimulus with the higher rating before clamping and rounding
-/// is chosen. Deterministic in the seed of each plan. Each row is marked as simulated.
+/// is chosen. In detection, an observation is the truth plus the bias plus a residual with a
+/// standard deviation of 1; the answer is "yes" above 0.5, the interval with the greater
+/// observation, or "different" if two observations differ by more than 1.5. Deterministic in the
+/// seed of each plan. Each row is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

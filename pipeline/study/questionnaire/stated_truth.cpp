@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/simulated_raters/simulated_raters.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
@@ -33,6 +35,8 @@ class TruthReader {
   TruthReader(const Manifest& manifest, const CsvTable& table)
       : table_(table), scales_(questionnaire_scales(manifest)), stimuli_(rated_stimuli(manifest)) {
     for (const Scale& scale : scales_.scales) names_.push_back(scale.id);
+    const TrialForm& form = *questionnaire_of(manifest).trials;
+    if (form.is_detection) names_.emplace_back(form.item);
   }
 
   StatedTruth read() {
@@ -85,6 +89,13 @@ class TruthReader {
   std::vector<Fault> faults_;
 };
 
+StatedTruth signal_truth(const Manifest& manifest) {
+  StatedTruth truth;
+  for (const std::string& id : signal_stimuli(manifest))
+    truth[{id, std::string(questionnaire_of(manifest).trials->item)}] = 1.0;
+  return truth;
+}
+
 }  // namespace
 
 StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file) {
@@ -93,6 +104,8 @@ StatedTruth read_truth(const Manifest& manifest, const std::filesystem::path& fi
 }
 
 StatedTruth measured_truth(const Manifest& manifest) {
+  const TrialForm& form = *questionnaire_of(manifest).trials;
+  if (form.has_key("signal")) return signal_truth(manifest);
   const ScaleSet scales = questionnaire_scales(manifest);
   Motions motions(manifest);
   motion::ExampleSet set;
@@ -102,6 +115,9 @@ StatedTruth measured_truth(const Manifest& manifest) {
   }
   StatedTruth truth;
   for (const StyledStimulus& stimulus : measured_profiles(set)) {
+    if (form.is_detection)
+      truth[{stimulus.name, std::string(form.item)}] =
+          std::accumulate(stimulus.profile.begin(), stimulus.profile.end(), 0.0);
     for (const Scale& scale : scales.scales) {
       const StyleProfile loadings = loadings_of(scale);
       double impression = 0.0;

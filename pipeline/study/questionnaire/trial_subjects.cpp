@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/study/questionnaire/incomplete_blocks.h"
 #include "pipeline/study/questionnaire/orders.h"
 
@@ -22,7 +23,7 @@ std::string level_of_all(const Manifest& manifest, const std::vector<std::string
 }
 
 /// Kinds of subjects to be balanced between participants: levels of the factors of order and
-/// `no_repeats`.
+/// `no_repeats`, and signal or noise.
 std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
   std::map<std::string, std::size_t> numbers;
   std::vector<std::vector<std::size_t>> kinds(subjects.size());
@@ -33,17 +34,34 @@ std::vector<std::vector<std::size_t>> kinds_of(const TrialSubjects& subjects) {
   };
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     add(i, 0, subjects.blocks[i]);
-    for (std::size_t f = 0; f < subjects.factor_levels.factors.size(); ++f)
-      add(i, f + 1, subjects.factor_levels.levels[i][f]);
+    const std::size_t factors = subjects.factor_levels.factors.size();
+    for (std::size_t f = 0; f < factors; ++f) add(i, f + 1, subjects.factor_levels.levels[i][f]);
+    if (!subjects.is_signal.empty())
+      add(i, factors + 1, subjects.is_signal[i] ? "signal" : "noise");
   }
   return kinds;
+}
+
+/// Sets in which the stimuli occur equally often, and any two of them together about equally often.
+std::vector<std::vector<std::string>> stimulus_sets(const Manifest& manifest) {
+  const std::vector<std::string> ids = questionnaire_stimuli(manifest);
+  std::vector<std::vector<std::string>> sets;
+  for (const auto& block : incomplete_blocks(
+           ids.size(), stimuli_per_trial(questionnaire_of(manifest)),
+           questionnaire_subject_count(manifest), hashed_seed(manifest.seed, "sets"))) {
+    sets.emplace_back();
+    for (const std::size_t place : block) sets.back().push_back(ids[place]);
+  }
+  return sets;
 }
 
 }  // namespace
 
 TrialSubjects trial_subjects(const Manifest& manifest) {
   const Questionnaire& questionnaire = questionnaire_of(manifest);
-  TrialSubjects subjects{.stimuli = questionnaire_subjects(manifest)};
+  TrialSubjects subjects{.stimuli = questionnaire.trials->is_set
+                                        ? stimulus_sets(manifest)
+                                        : questionnaire_subjects(manifest)};
   subjects.factor_levels.factors = questionnaire.no_repeats;
   for (const std::vector<std::string>& stimuli : subjects.stimuli) {
     std::vector<std::string> levels;
@@ -53,6 +71,13 @@ TrialSubjects trial_subjects(const Manifest& manifest) {
     const std::string& factor = questionnaire.order.factor;
     const std::string block = factor.empty() ? "main" : level_of_all(manifest, stimuli, factor);
     subjects.blocks.push_back(block.empty() ? "main" : block);
+  }
+  if (questionnaire.trials == &yes_no_form || questionnaire.trials == &same_different_form) {
+    const std::vector<std::string> signal = signal_stimuli(manifest);
+    for (const std::vector<std::string>& stimuli : subjects.stimuli)
+      subjects.is_signal.push_back(stimuli.size() > 1
+                                       ? stimuli[0] != stimuli[1]
+                                       : std::ranges::find(signal, stimuli[0]) != signal.end());
   }
   return subjects;
 }

@@ -8,25 +8,28 @@
 
 namespace mien::pipeline {
 
-/// The subjects of a questionnaire's trials, each a stimulus or a pair, in the order of the
-/// manifest.
+/// The subjects of a questionnaire's trials, each a stimulus, a pair or a set, in the order of
+/// questionnaire_subjects. Sets are an incomplete block design of the stimuli (incomplete_blocks).
 struct TrialSubjects {
-  std::vector<std::vector<std::string>> stimuli;  ///< one or two ids per subject
+  std::vector<std::vector<std::string>> stimuli;  ///< ids of each subject
   FactorLevels factor_levels;  ///< levels of the factors in questionnaire.no_repeats
   std::vector<std::string>
       blocks;  ///< block of each subject: level of the blocking factor, or "main"
+  /// Of detection, whether each subject is a signal trial; otherwise empty.
+  std::vector<bool> is_signal;
 
   std::size_t size() const { return stimuli.size(); }
 };
 
-/// The subjects of a manifest. Of each factor, a pair has the level that its stimuli share or, if
-/// their levels differ, a combined level.
+/// The subjects of a manifest. Of each factor, a pair or set has the level that its stimuli share
+/// or, if their levels differ, a combined level.
 TrialSubjects trial_subjects(const Manifest& manifest);
 
 /// Number of analysed subjects per participant.
 std::size_t subjects_per_participant(const Manifest& manifest, const TrialSubjects& subjects);
 
-/// Indices of the subjects of each of the first `count` participants.
+/// Indices of the subjects of each of the first `count` participants. Each participant has signal
+/// and noise trials about in proportion to the numbers of such subjects.
 std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manifest,
                                                            const TrialSubjects& subjects,
                                                            std::size_t count);

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
-#include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
+#include "pipeline/study/results/answer_collector.h"
 
 namespace mien::pipeline {
 
@@ -60,156 +59,6 @@ FactorTable reported_factors(const Manifest& manifest,
       if (manifest.stimuli[i].id == stimulus.id) table.rows.push_back(all.rows[i]);
   return table;
 }
-
-/// Validates rows and collects their faults.
-class AnswerCollector {
- public:
-  AnswerCollector(const Manifest& manifest, const std::vector<AnswerRow>& rows, AnswerSet& result)
-      : questionnaire_(questionnaire_of(manifest)), rows_(rows), result_(result) {
-    for (std::size_t i = 0; i < result.stimuli.size(); ++i) {
-      stimuli_.emplace(result.stimuli[i].id, i);
-      stimulus_ids_.push_back(result.stimuli[i].id);
-    }
-    for (std::size_t i = 0; i < result.scales.size(); ++i) {
-      scales_.emplace(result.scales[i].id, i);
-      items_.push_back(result.scales[i].id);
-    }
-    for (std::size_t i = 0; i < result.people.size(); ++i) people_.emplace(result.people[i], i);
-  }
-
-  void check_and_add_all() {
-    for (const AnswerRow& row : rows_) check_and_add(row);
-  }
-
-  std::vector<Fault> faults;
-
- private:
-  void check_and_add(const AnswerRow& row) {
-    if (row.kind == attention_kind) return;
-    const auto stimulus = known_stimulus(row, row.stimulus);
-    if (!stimulus || !is_of_trial_kind(row)) return;
-    if (is_on_scale(row)) {
-      add_rating(row, *stimulus);
-    } else if (row.item == find_trial_form(row.kind)->item) {
-      add_choice(row, *stimulus);
-    } else {
-      add_preference(row, *stimulus);
-    }
-    if (!row.comment.empty() && !row.is_practice)
-      result_.remarks.push_back({row.participant, row.stimulus, "", row.comment});
-  }
-
-  void fault(const AnswerRow& row, std::string wrong, std::string remedy) {
-    faults.push_back({row.place, "", std::move(wrong), std::move(remedy)});
-  }
-
-  std::optional<std::size_t> known_stimulus(const AnswerRow& row, const std::string& id) {
-    const auto found = stimuli_.find(id);
-    if (found != stimuli_.end()) return found->second;
-    if (told_.insert(id).second)
-      fault(row, fmt::format("the study has no stimulus {}", motion::in_quotes(id)),
-            motion::did_you_mean(id, stimulus_ids_));
-    return std::nullopt;
-  }
-
-  bool is_of_trial_kind(const AnswerRow& row) {
-    const TrialForm& asked = *questionnaire_.trials;
-    // A study of pairs may ask to rate by how much, too.
-    if (row.kind == asked.name || (asked.stimuli > 1 && row.kind == rating_form.name)) return true;
-    if (told_.insert("kind " + row.kind).second)
-      fault(row,
-            fmt::format("an answer of kind {}, but the questionnaire has trials of kind {}",
-                        row.kind, asked.name),
-            "give the manifest that these answers belong to");
-    return false;
-  }
-
-  bool counts(const AnswerRow& row) const {
-    return row.counts() && people_.contains(row.participant) &&
-           !result_.quality.leaves_out(static_cast<std::size_t>(&row - rows_.data()));
-  }
-
-  std::optional<std::size_t> known_scale(const AnswerRow& row) {
-    const auto found = scales_.find(row.item);
-    if (found != scales_.end()) return found->second;
-    if (told_.insert("item " + row.item).second)
-      fault(row, fmt::format("the questionnaire does not ask {}", motion::in_quotes(row.item)),
-            motion::did_you_mean(row.item, items_));
-    return std::nullopt;
-  }
-
-  void add_rating(const AnswerRow& row, std::size_t stimulus) {
-    if (questionnaire_.answer.words) {
-      if (counts(row))
-        result_.words.push_back({row.participant, row.stimulus, row.item, row.value});
-      return;
-    }
-    const auto scale = known_scale(row);
-    if (!scale || row.value.empty() || row.value == "NA") return;
-    const auto value = motion::as_finite_number(row.value);
-    const Scale& of = result_.scales[*scale];
-    if (!value || *value < of.least || *value > of.most) {
-      fault(row,
-            fmt::format("{} is not a valid answer on {}", motion::in_quotes(row.value),
-                        motion::in_quotes(of.id)),
-            fmt::format("answers go from {} to {}", of.least, of.most));
-      return;
-    }
-    check_orientation(row, of, *value);
-    if (counts(row))
-      result_.ratings.push_back({people_.at(row.participant), stimulus, *scale, *value});
-  }
-
-  /// Checks that the raw answer and the side of the poles give the value.
-  void check_orientation(const AnswerRow& row, const Scale& scale, double value) {
-    const auto raw = motion::as_finite_number(row.value_raw);
-    if (!raw || row.pole_left.empty()) return;
-    const double share = questionnaire_.answer.slider
-                             ? *raw / 100.0
-                             : (*raw - 1.0) / std::max(1.0, questionnaire_.answer.points - 1.0);
-    const double from_low = row.pole_left == "low" ? share : 1.0 - share;
-    const double expected = scale.least + from_low * (scale.most - scale.least);
-    if (std::abs(expected - value) <= 1e-6 * (scale.most - scale.least)) return;
-    fault(row,
-          fmt::format("the raw answer {} with the {} pole on the left corresponds to {:g}, not {}",
-                      row.value_raw, row.pole_left, expected, row.value),
-          "use the file as written by the questionnaire, and its manifest");
-  }
-
-  void add_choice(const AnswerRow& row, std::size_t stimulus) {
-    if (row.value.empty() || row.value == "NA") return;
-    const bool is_offered = std::ranges::any_of(
-        result_.choices, [&](const auto& choice) { return choice.first == row.value; });
-    if (!is_offered) {
-      fault(row, fmt::format("{} was not among the choices", motion::in_quotes(row.value)),
-            "give the manifest that these answers belong to");
-      return;
-    }
-    if (counts(row)) result_.chosen.push_back({people_.at(row.participant), stimulus, row.value});
-  }
-
-  void add_preference(const AnswerRow& row, std::size_t stimulus) {
-    const auto against = known_stimulus(row, row.against);
-    if (!against || row.value.empty() || row.value == "NA") return;
-    const bool is_tie = row.value == tie_value && row.value_raw == tie_value;
-    if (!is_tie && row.value != row.stimulus && row.value != row.against) {
-      fault(row, fmt::format("{} is not one of the pair", motion::in_quotes(row.value)),
-            fmt::format("they are {} and {}", row.stimulus, row.against));
-      return;
-    }
-    if (!counts(row)) return;
-    const bool is_first = is_tie || row.value == row.stimulus;
-    result_.preferences.push_back({people_.at(row.participant), is_first ? stimulus : *against,
-                                   is_first ? *against : stimulus, row.item, is_first, is_tie});
-  }
-
-  const Questionnaire& questionnaire_;
-  const std::vector<AnswerRow>& rows_;
-  AnswerSet& result_;
-  std::map<std::string, std::size_t> stimuli_, scales_, people_;
-  std::vector<std::string> stimulus_ids_, items_;
-  std::set<std::string> told_;
-};
 
 void check_designs(const std::vector<AnswerRow>& rows, AnswerSet& result,
                    std::vector<Fault>& faults) {
@@ -286,6 +135,7 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   AnswerSet result;
   result.study = manifest.study;
   result.title = title_of(manifest);
+  result.form = asked.trials;
   result.stimuli = reported_stimuli(manifest);
   result.factors = reported_factors(manifest, result.stimuli);
   result.factorial = asked.analysis.factorial;
@@ -307,12 +157,12 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   for (const Demographic& question : asked.demographics)
     if (!question.answer.is_number) result.worded_questions.insert(question.id);
   result.people = included_people(result);
-  AnswerCollector sorter(manifest, rows, result);
-  check_designs(rows, result, sorter.faults);
-  sorter.check_and_add_all();
-  if (!sorter.faults.empty()) throw Faults(sorter.faults);
+  std::vector<Fault> faults;
+  check_designs(rows, result, faults);
+  append(faults, check_and_collect(manifest, rows, result));
+  if (!faults.empty()) throw Faults(faults);
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
-      result.words.empty())
+      result.detections.empty() && result.words.empty())
     throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers to analyse",
                 "answers to practice, warm-up and check trials, those of excluded participants and "
                 "those that quality rules exclude are ignored");

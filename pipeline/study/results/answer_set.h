@@ -52,7 +52,7 @@ struct AnalysedChoice {
   std::string chosen;
 };
 
-/// A choice between two stimuli.
+/// A choice between two stimuli, or one that the answer about a set implies.
 struct AnalysedPreference {
   std::size_t person = 0;
   std::size_t chosen = 0;  ///< of a tie, the one on the left
@@ -60,6 +60,24 @@ struct AnalysedPreference {
   std::string item;
   bool is_left_chosen = true;  ///< whether `chosen` was shown on the left
   bool is_tie = false;
+};
+
+/// An answer to a trial of detection or to a same–different trial (DetectionCounts).
+struct AnalysedDetection {
+  std::size_t person = 0;
+  std::size_t stimulus = 0;  ///< of a pair, the one that is earlier in the manifest
+  std::optional<std::size_t> other = std::nullopt;  ///< of a pair of two different stimuli
+  bool is_signal = false;                           ///< whether it is a signal trial
+  bool is_positive = false;                         ///< answered with yes, first or different
+};
+
+/// An answer about a set of stimuli: which is best and which is worst with respect to a scale.
+struct AnalysedSet {
+  std::size_t person = 0;
+  std::vector<std::size_t> stimuli;  ///< from left to right
+  std::string scale;                 ///< id
+  std::size_t best = 0;              ///< index into `stimuli`
+  std::size_t worst = 0;             ///< index into `stimuli`
 };
 
 /// A free text: a comment, or an answer in words to the scale `item`.
@@ -93,7 +111,8 @@ struct Unfinished {
 struct AnswerSet {
   std::string study;
   std::string title;
-  std::vector<std::string> people;  ///< included participants
+  const TrialForm* form = &rating_form;  ///< form of the questionnaire's trials
+  std::vector<std::string> people;       ///< included participants
   std::vector<ReportedStimulus> stimuli;
   /// The levels of the design's factors for each of `stimuli` (design_table).
   FactorTable factors;
@@ -106,6 +125,8 @@ struct AnswerSet {
   std::vector<AnalysedRating> ratings;
   std::vector<AnalysedChoice> chosen;
   std::vector<AnalysedPreference> preferences;
+  std::vector<AnalysedDetection> detections;
+  std::vector<AnalysedSet> sets;
   std::vector<Remark> remarks;       ///< comments
   std::vector<Remark> words;         ///< answers to scales answered in words
   std::vector<Attention> attention;  ///< results of attention checks, of all participants

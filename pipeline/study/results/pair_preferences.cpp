@@ -15,6 +15,7 @@ std::string pair_question(const AnswerSet& answer_set, const std::string& item) 
 }
 
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set) {
+  if (!answer_set.sets.empty()) return {};
   std::map<std::tuple<std::string, std::size_t, std::size_t>, PreferenceCount> counts;
   for (const AnalysedPreference& preference : answer_set.preferences) {
     const std::size_t one = std::min(preference.chosen, preference.other);

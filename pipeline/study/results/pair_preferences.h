@@ -27,7 +27,8 @@ struct PreferenceCount {
 std::string pair_question(const AnswerSet& answer_set, const std::string& item);
 
 /// Preferences for all pairs of stimuli about which there are choices, sorted by item, then by pair
-/// in the order of the manifest. Ties are no choices.
+/// in the order of the manifest. Ties are no choices. None of answers about sets: the preferences
+/// that these imply depend on each other.
 std::vector<PreferenceCount> preferences_of(const AnswerSet& answer_set);
 
 }  // namespace mien::pipeline

@@ -222,6 +222,13 @@ PairWorth worth_of(const AnswerSet& answer_set, const ComparedConditions& condit
   fit_model(asked, worth);
   set_contrasts_by_answers(asked, worth);
   resample_people(asked, worth);
+  if (!answer_set.sets.empty()) {
+    worth.is_implied = true;
+    worth.equal = worth.order = {none, 0, none};
+    // Errors that treat implied comparisons as independent would say too much.
+    if (!worth.is_by_participants) worth.contrasts.clear();
+    return worth;
+  }
   worth.transitivity = transitivity_violations(asked.all, asked.compared.size());
   for (std::size_t i = 0; i < asked.people.size(); ++i)
     if (const auto own = circular_triads(asked.by_person[i], asked.compared.size()))

@@ -36,9 +36,12 @@ struct ParticipantTriads {
 };
 
 /// Worths of all stimuli, or of all conditions (ComparedConditions), that were compared for one
-/// item, by the model of Bradley and Terry with ties and order effect (bradley_terry.h).
+/// item, by the model of Bradley and Terry with ties and order effect (bradley_terry.h). Of sets,
+/// the comparisons are implied ones (implied_preferences); they depend on each other, so that the
+/// tests are omitted (NaN), and so is transitivity, which holds within a set by construction.
 struct PairWorth {
   std::string item;
+  bool is_implied = false;  ///< whether the comparisons are implied by answers about sets
   int people = 0;
   int comparisons = 0;
   int ties = 0;

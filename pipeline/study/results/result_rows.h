@@ -106,6 +106,8 @@ void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);
 void add_factors(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of worths of compared stimuli.
 void add_worths(const Results& results, std::vector<WrittenTable>& tables);
+/// Adds the tables of the sensitivities in detection.
+void add_detection(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of participants, free texts and repeated trials.
 void add_participants(const Results& results, std::vector<WrittenTable>& tables);
 

@@ -213,6 +213,7 @@ std::vector<WrittenTable> result_tables(const Results& results) {
   add_results(agreement_columns, results.reliability, results.answer_set, tables);
   add_results(preference_columns, results.preferences, results.answer_set, tables);
   add_worths(results, tables);
+  add_detection(results, tables);
   add_participants(results, tables);
   return tables;
 }

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "pipeline/study/results/answer_set.h"
+#include "pipeline/study/results/best_worst_scores.h"
 #include "pipeline/study/results/comparisons.h"
 #include "pipeline/study/results/confusion.h"
+#include "pipeline/study/results/detection_results.h"
 #include "pipeline/study/results/factor_contrasts.h"
 #include "pipeline/study/results/factor_effects.h"
 #include "pipeline/study/results/group_comparisons.h"
@@ -33,6 +35,8 @@ struct Results {
   std::vector<Reliability> reliability;
   std::vector<PreferenceCount> preferences;
   std::vector<PairWorth> worths;
+  DetectionResults detection;
+  std::vector<BestWorstScore> best_worst;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
@@ -59,6 +63,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.reliability = reliability_of(results.answer_set);
   results.preferences = preferences_of(results.answer_set);
   results.worths = worths_of(results.answer_set);
+  results.detection = detection_results(results.answer_set);
+  results.best_worst = best_worst_scores(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.flow = participant_flow(results.answer_set, demographics);
   results.participants = participant_summaries(results.answer_set, rows);

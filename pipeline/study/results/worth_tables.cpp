@@ -31,13 +31,14 @@ constexpr SharedColumn worth_item_column = {"item", "", "scale or question id",
                                             [](auto& r) { return r.all.item; }};
 
 constexpr auto worth_columns = result_table<WorthRow>(
-    "results/worth.csv", "scale and stimulus or condition of a study of pairs",
+    "results/worth.csv", "scale and stimulus or condition of a study of pairs or sets",
     {worth_item_column,
      {"compared", "",
       "id of the stimulus; if the analysis names factors, a combination of their levels, for all "
       "stimuli with these levels",
       [](auto& r) { return r.of.name; }},
-     {"comparisons", "", "comparisons with others", [](auto& r) { return r.of.comparisons(); }},
+     {"comparisons", "", "comparisons with others; of sets, implied ones",
+      [](auto& r) { return r.of.comparisons(); }},
      {"chosen", "", "comparisons in which it was chosen", [](auto& r) { return r.of.chosen; }},
      {"other_chosen", "", "comparisons in which the other one was chosen",
       [](auto& r) { return r.of.other_chosen; }},
@@ -74,8 +75,28 @@ constexpr auto worth_columns = result_table<WorthRow>(
      {"elo_sd", "Elo points", "standard deviation of that rating over the orders",
       [](auto& r) { return r.of.elo.deviation; }}});
 
+using ScoreRow = ResultRow<BestWorstScore>;
+
+constexpr auto score_columns = result_table<ScoreRow>(
+    "results/best_worst.csv", "scale and stimulus of a study of sets",
+    {{"scale", "", "scale id", [](auto& r) { return r.of.scale; }},
+     stimulus_column,
+     {"shown", "", "answered sets with the stimulus", [](auto& r) { return r.of.shown; }},
+     {"best", "", "of these, sets in which it was closest to the high end of the scale",
+      [](auto& r) { return r.of.best; }},
+     {"worst", "", "sets in which it was closest to the low end",
+      [](auto& r) { return r.of.worst; }},
+     {"score", "-1–1", "(best − worst) / shown", [](auto& r) { return r.of.score(); }},
+     {"people", "", "participants who answered sets with the stimulus",
+      [](auto& r) { return r.of.people; }},
+     {"low", "-1–1",
+      "lower end of the 95 % interval of the mean of the participants' scores "
+      "(Student)",
+      [](auto& r) { return r.of.ends.low; }},
+     {"high", "-1–1", "upper end", [](auto& r) { return r.of.ends.high; }}});
+
 constexpr auto worth_test_columns = result_table<WorthTestRow>(
-    "results/worth_tests.csv", "scale of a study of pairs",
+    "results/worth_tests.csv", "scale of a study of pairs or sets",
     {{"item", "", "scale or question id", [](auto& r) { return r.of.item; }},
      {"people", "", "participants who compared stimuli", [](auto& r) { return r.of.people; }},
      {"stimuli", "", "number of stimuli, or conditions, compared",
@@ -85,7 +106,8 @@ constexpr auto worth_test_columns = result_table<WorthTestRow>(
      {"within_conditions", "",
       "further comparisons, which are left out: of two stimuli of the same condition",
       [](auto& r) { return r.of.within_conditions; }},
-     {"chi_equal", "", "likelihood-ratio statistic of the test that all worths are equal",
+     {"chi_equal", "",
+      "likelihood-ratio statistic of the test that all worths are equal; empty for sets",
       [](auto& r) { return r.of.equal.chi; }},
      {"df_equal", "", "its degrees of freedom", [](auto& r) { return r.of.equal.degrees; }},
      {"p_equal", "", "its p, treating all answers as independent",
@@ -170,6 +192,7 @@ constexpr auto triads_columns = result_table<TriadsRow>(
 
 void add_worths(const Results& results, std::vector<WrittenTable>& tables) {
   const AnswerSet& answer_set = results.answer_set;
+  add_results(score_columns, results.best_worst, answer_set, tables);
   std::vector<WorthRow> worths;
   std::vector<WorthContrastRow> contrasts;
   std::vector<TriadsRow> triads;

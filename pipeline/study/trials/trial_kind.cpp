@@ -17,6 +17,13 @@ std::string_view Trial::kind_name() const {
   return is_attention_check() ? attention_kind : kind->name;
 }
 
+std::string Trial::against() const {
+  if (stimuli.size() < 2) return reference;
+  std::string others = stimuli[1];
+  for (std::size_t i = 2; i < stimuli.size(); ++i) others += " " + stimuli[i];
+  return others;
+}
+
 const TrialKind& trial_kind_of(const TrialForm& form) {
   const auto found =
       std::ranges::find(trial_kinds, &form, [](const auto* kind) { return kind->form; });

@@ -35,8 +35,8 @@ struct Trial {
   std::string block;
   const TrialKind* kind = &rating_trials;  ///< for an attention check, the kind that it resembles
   std::vector<std::string>
-      stimuli;                   ///< one id, or two from left to right; none in an attention check
-  std::string reference;         ///< reference stimulus shown in addition; empty if there is none
+      stimuli;            ///< one id, or several from left to right; none in an attention check
+  std::string reference;  ///< reference stimulus shown in addition; empty if there is none
   std::vector<TrialItem> items;  ///< in page order
   bool practice = false;
   bool warm_up = false;
@@ -52,9 +52,9 @@ struct Trial {
   /// The name of the kind in plans, on pages and in tables of answers.
   std::string_view kind_name() const;
 
-  /// The stimulus shown in addition to the first: the second of a pair, or the reference; may be
-  /// empty.
-  const std::string& against() const { return stimuli.size() > 1 ? stimuli[1] : reference; }
+  /// What is shown in addition to the first stimulus: the second of a pair, the others of a set,
+  /// separated by spaces, or the reference; may be empty.
+  std::string against() const;
 
   friend bool operator==(const Trial&, const Trial&) = default;
 };
@@ -113,7 +113,8 @@ struct ItemResponse {
 /// What a simulated participant perceives of one item of a trial.
 struct SimulatedView {
   std::function<double(std::size_t)>
-      opinion;  ///< value, on the item's scale, of the stimulus with this index in the trial
+      opinion;  ///< value, on the item's scale, of the stimulus with this index in the trial; in
+                ///< detection, its observation, in standard deviations
   /// The first stimulus's level of the factor that is named like the item, such as `emotion`.
   std::string shown;
   bool is_recognised = false;  ///< the participant recognises the shown level
@@ -132,6 +133,9 @@ struct TrialKind {
   std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
   /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
+  /// The reason why the responses to the items of a trial contradict each other; empty if they do
+  /// not. nullptr if they cannot.
+  std::string (*contradiction)(const std::vector<ItemResponse>&) = nullptr;
   /// The raw answer of a simulated participant.
   std::string (*simulated)(const Question&, const SimulatedView&) = nullptr;
 };
@@ -140,12 +144,17 @@ extern const TrialKind rating_trials;  ///< one stimulus, rated on scales
 extern const TrialKind
     emotion_trials;                  ///< a forced choice of the emotion shown, and optional scales
 extern const TrialKind pair_trials;  ///< two stimuli: which is closer to the high end of each scale
+extern const TrialKind same_different_trials;  ///< two stimuli: are they the same?
+extern const TrialKind yes_no_trials;          ///< one stimulus: is the signal present?
+extern const TrialKind two_interval_trials;    ///< two stimuli in turn: which has the signal?
+extern const TrialKind best_worst_trials;      ///< several stimuli: which is best, which is worst?
 /// A target motion matched with sliders; used only in matching experiments, with their own records.
 extern const TrialKind matching_trials;
 
 /// All kinds of trials.
-inline constexpr std::array trial_kinds = {&rating_trials, &emotion_trials, &pair_trials,
-                                           &matching_trials};
+inline constexpr std::array trial_kinds = {
+    &rating_trials, &emotion_trials,      &pair_trials,       &same_different_trials,
+    &yes_no_trials, &two_interval_trials, &best_worst_trials, &matching_trials};
 
 /// The kind of trial with that form.
 const TrialKind& trial_kind_of(const TrialForm& form);

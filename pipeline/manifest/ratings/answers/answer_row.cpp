@@ -36,17 +36,27 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"trial", "", "trial number in the participant's order, from 1"}, &Row::trial},
     {{"block", "", "practice, main, or the level of the blocking factor"}, &Row::block},
     {{"kind", "", trial_forms_meaning}, &Row::kind},
-    {{"stimulus", "", "stimulus rated; for a pair, the one on the left"}, &Row::stimulus},
+    {{"stimulus", "", "stimulus rated; for a pair or set, the one on the left, or shown first"},
+     &Row::stimulus},
     {{"stimulus_sha256", "", "SHA-256 of the media shown"}, &Row::stimulus_sha256},
-    {{"against", "", "reference shown beside it, or the other stimulus of a pair"}, &Row::against},
-    {{"item", "", "scale id; emotion for a choice from a list"}, &Row::item},
+    {{"against", "",
+      "reference shown beside it, the other stimulus of a pair, or the others of a set, separated "
+      "by spaces"},
+     &Row::against},
+    {{"item", "",
+      "scale id; emotion for a choice from a list; same_different, yes_no or two_interval in "
+      "trials "
+      "of that kind; for a set, scale id with /best or /worst"},
+     &Row::item},
     {{"value_raw", "",
       "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
-      "written; for a pair left, right or tie, or left_much, left_slightly, …"},
+      "written; for a pair left, right or tie, or left_much, left_slightly, …; same or different; "
+      "yes "
+      "or no; first or second (of two intervals); place from the left, from 1 (of a set)"},
      &Row::value_raw},
     {{"value", "",
       "answer converted to the scale's range, increasing towards the high pole; or the emotion or "
-      "stimulus chosen (tie: neither), or the text written"},
+      "stimulus chosen (tie: neither), or the text written; same or different, yes or no"},
      &Row::value},
     {{"pole_left", "", "pole on the left: low or high"}, &Row::pole_left},
     {{"rt_ms", "ms", "response time, from when answering became possible"}, &Row::rt_ms},

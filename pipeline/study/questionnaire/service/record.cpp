@@ -30,11 +30,14 @@ ItemResponse read_response(const nlohmann::json& text) {
   return response;
 }
 
+/// More stimuli than any trial shows.
+constexpr std::size_t most_media = 8;
+
 std::vector<std::string> read_hashes(const nlohmann::json* list) {
   std::vector<std::string> hashes;
   if (list == nullptr) return hashes;
-  if (!list->is_array() || list->size() > 3)
-    throw RecordFault("\"media_sha256\" is not a list of at most three");
+  if (!list->is_array() || list->size() > most_media)
+    throw RecordFault(fmt::format("\"media_sha256\" is not a list of at most {}", most_media));
   for (const nlohmann::json& one : *list) {
     if (!one.is_string() || one.get_ref<const std::string&>().size() > 64)
       throw RecordFault("\"media_sha256\" contains an invalid hash");

@@ -63,6 +63,7 @@ void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan
     const TrialItem& item = *std::ranges::find(asked, response.item, &TrialItem::item);
     refuse(trial.kind->fault(question_of(facts, plan, trial, item), response));
   }
+  if (trial.kind->contradiction != nullptr) refuse(trial.kind->contradiction(record.responses));
   check_media(facts, trial, record);
 }
 

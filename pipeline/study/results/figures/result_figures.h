@@ -54,6 +54,10 @@ void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures
 /// Adds figures for each question about pairs: the worths of the stimuli with their intervals.
 void add_worth_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds figures of the sensitivities with their intervals, by stimulus or pair and by participant,
+/// if there are not too many.
+void add_detection_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures for each free-text question: the most frequent words by stimulus.
 void add_word_figures(const Results& results, std::vector<ResultFigure>& figures);
 

@@ -38,4 +38,8 @@ std::string factor_section_html(const Results& results, const std::string& figur
 /// without comparisons.
 std::string worth_section_html(const Results& results, const std::string& figures);
 
+/// The section of the sensitivities in detection: what they mean, `figures`, and the tables. Empty
+/// without answers to detection.
+std::string detection_section_html(const Results& results, const std::string& figures);
+
 }  // namespace mien::pipeline

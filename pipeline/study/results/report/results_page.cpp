@@ -400,8 +400,11 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("agreement", "Agreement", agreement_part(results));
   parts.section("retest", "Test–retest", retest_html(results));
   parts.section("preferences", "Pairs", parts.figures("preferences") + preferences_html(results));
-  parts.section("worth", "Worth of compared stimuli",
+  parts.section("worth",
+                results.best_worst.empty() ? "Worth of compared stimuli" : "Best and worst",
                 worth_section_html(results, parts.figures("worth")));
+  parts.section("sensitivity", "Sensitivity",
+                detection_section_html(results, parts.figures("sensitivity")));
   parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));
   parts.section(

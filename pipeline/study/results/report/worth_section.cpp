@@ -194,10 +194,49 @@ std::string differences_html(const Results& results) {
                              pairs);
 }
 
+std::string scores_html(const Results& results) {
+  std::string rows;
+  for (const BestWorstScore& one : results.best_worst)
+    rows += HtmlRow()
+                .text(pair_question(results.answer_set, one.scale),
+                      results.answer_set.stimuli[one.stimulus].id)
+                .number(one.shown, one.best, one.worst, one.score(),
+                        interval_text(one.ends.low, one.ends.high), one.people)
+                .html();
+  return wide_table(
+      {"<item", "<stimulus", "sets", "best", "worst", "score", "95 % interval", "participants"},
+      rows);
+}
+
+/// The worths without what holds for comparisons of pairs only.
+std::string set_section_html(const Results& results, const std::string& figures) {
+  return worth_paragraph(
+             "Best–worst scaling: of each set of stimuli, participants chose the one that is "
+             "closest to the high end of the scale (best) and the one that is closest to the low "
+             "end (worst). Score: the number of times that a stimulus was best less the number of "
+             "times that it was worst, divided by the number of sets with it, from −1 to 1; its "
+             "interval is that of the mean of the participants’ scores (Student).") +
+         scores_html(results) +
+         worth_paragraph(
+             "Log-worths by the model of Bradley and Terry with an order effect, from the "
+             "comparisons that the answers imply: the best of a set is preferred to all others, "
+             "and all others to the worst. This is an approximation of the maximum-difference "
+             "model. A difference of 1 in log-worth means odds of e to 1 of being chosen; "
+             "log-worths have a sum of 0. Implied comparisons of one set depend on each other; "
+             "intervals are therefore those of resampled participants with all of their answers "
+             "(bootstrap percentiles), and tests of equal worth and of transitivity are not given. "
+             "Standard errors and the second intervals treat implied comparisons as independent, "
+             "so that they are too small. Elo ratings are averaged over random orders and have no "
+             "intervals.") +
+         html_list("warnings", worth_remarks(results)) + figures + worths_html(results) +
+         differences_html(results);
+}
+
 }  // namespace
 
 std::string worth_section_html(const Results& results, const std::string& figures) {
   if (results.worths.empty()) return "";
+  if (!results.best_worst.empty()) return set_section_html(results, figures);
   std::string html =
       worth_paragraph(
           "All comparisons for an item together, by the model of Bradley and Terry with ties "

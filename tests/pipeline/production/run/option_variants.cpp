@@ -86,6 +86,14 @@ constexpr char with_questions_and_glb[] =
 
 constexpr char with_pairs[] =
     R"({"questionnaire": {"participants": 4, "scales": "all", "trials": "pair"}, "output": {"video": ["mp4"]}})";
+constexpr char with_no_scales[] =
+    R"({"questionnaire": {"participants": 4}, "output": {"video": ["mp4"]}})";
+constexpr char with_best_worst[] =
+    R"({"questionnaire": {"participants": 4, "scales": "all", "trials": "best_worst"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}, {"id": "d", "weights": {"tired": 1}}]})";
+constexpr char with_same_different[] =
+    R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}})";
+constexpr char with_same_different_and_factors[] =
+    R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}]})";
 constexpr char with_screening[] =
     R"({"questionnaire": {"participants": 4, "scales": "all", "screening": {"questions": [{"id": "age", "ask": "How old?", "answer": "number"}]}}, "output": {"video": ["mp4"]}})";
 constexpr char with_prolific[] =
@@ -160,6 +168,12 @@ const Surroundings surroundings[] = {
     {"questionnaire.display.distance_cm", with_questions, R"({"size": {"degrees": 12}})"},
     {"questionnaire.preference.alike", with_crossed_pairs, "{}"},
     {"questionnaire.preference.", with_pairs, "{}"},
+    {"questionnaire.best_worst.", with_best_worst, "{}"},
+    {"questionnaire.best_worst", with_best_worst, "{}"},
+    {"questionnaire.same_different.differ_in", with_same_different_and_factors, "{}"},
+    {"questionnaire.same_different.", with_same_different, "{}"},
+    {"questionnaire.same_different", with_no_scales, R"({"trials": "same_different"})"},
+    {"questionnaire.signal", with_no_scales, R"({"trials": "yes_no", "question": "Is it?"})"},
     {"questionnaire.preference", with_questions, R"({"trials": "pair"})"},
     {"questionnaire.scales.ask",
      R"({"questionnaire": {"participants": 4}, "output": {"video": ["mp4"]}})",
@@ -471,6 +485,12 @@ const Values chosen_values[] = {
     {"questionnaire.scales.ask", R"([["slow-quick"], ["big-small"]])"},
     {"questionnaire.choices", R"([["sad", "happy"], {"sad": "S", "happy": "H"}])"},
     {"questionnaire.pairs", R"([[["a", "b"]], [["b", "a"]]])"},
+    {"questionnaire.best_worst", R"([{"size": 3, "sets": 2}, {"size": 3, "sets": 5}])"},
+    {"questionnaire.best_worst.size", "[3, 4]"},
+    {"questionnaire.best_worst.sets", "[4, 5]"},
+    {"questionnaire.same_different", R"([{"same": 0.3}, {"same": 0.6}])"},
+    {"questionnaire.same_different.differ_in", R"(["actor", "mood"])"},
+    {"questionnaire.signal", R"([["a"], ["b"]])"},
     {"questionnaire.display", R"([{"size": "native"}, {"size": {"cm": 12}}])"},
     {"questionnaire.display.size", R"(["native", {"degrees": 12}])"},
     {"questionnaire.display.distance_cm", "[57, 60]"},

@@ -157,6 +157,111 @@ TEST(SessionPlan, OfPairsPutsEachStimulusLeftForHalfOfTheParticipants) {
   EXPECT_TRUE(left_range(balance).is_uniform());
 }
 
+/// Numbers of trials of two different and of two equal stimuli.
+std::pair<int, int> different_and_same(const SessionPlan& plan) {
+  std::pair<int, int> counts;
+  for (const Trial& trial : plan.trials)
+    if (trial.is_analysed())
+      ++(trial.stimuli[0] == trial.stimuli[1] ? counts.second : counts.first);
+  return counts;
+}
+
+TEST(SessionPlan, OfSameAndDifferentHasBothInTheirShare) {
+  const Manifest all = asked_study(5, "participants: 8, trials: same_different");
+  for (const SessionPlan& plan : plan_sessions(all))
+    EXPECT_EQ(different_and_same(plan), std::pair(10, 10));
+  const Manifest some =
+      asked_study(6,
+                  "participants: 12, trials: same_different, same_different: {same: 0.4}, "
+                  "per_participant: 10");
+  for (const SessionPlan& plan : plan_sessions(some)) {
+    const auto [different, same] = different_and_same(plan);
+    EXPECT_EQ(different + same, 10);
+    EXPECT_GE(same, 3);
+    EXPECT_LE(same, 5);
+  }
+}
+
+TEST(SessionPlan, OfSameAndDifferentIsBalancedOverDifferentPairs) {
+  const Manifest manifest = asked_study(4, "participants: 12, trials: same_different");
+  const Balance balance = balance_of(manifest, plan_sessions(manifest));
+  EXPECT_EQ(balance.subjects.size(), 6u);
+  EXPECT_EQ(balance.max_positions, 12);
+  EXPECT_TRUE(participant_range(balance).is_uniform());
+  EXPECT_EQ(participant_range(balance).least, 12);
+  EXPECT_EQ(left_range(balance).least, 6);
+  EXPECT_TRUE(left_range(balance).is_uniform());
+  EXPECT_EQ(same_range(balance).least, 12);
+  EXPECT_EQ(same_range(balance).most, 24);
+  const auto sentences = balance_sentences(manifest, balance, 12);
+  EXPECT_NE(sentences.back().find("shown twice in 72 trials"), std::string::npos)
+      << sentences.back();
+}
+
+TEST(SessionPlan, OfYesAndNoGivesEveryParticipantSignalAndNoise) {
+  const Manifest manifest =
+      asked_study(8,
+                  "participants: 12, trials: yes_no, question: Is it, signal: {emotion: [happy]}, "
+                  "per_participant: 4");
+  for (const SessionPlan& plan : plan_sessions(manifest)) {
+    int signals = 0;
+    for (const Trial& trial : plan.trials)
+      signals += level_of(manifest, trial.stimuli[0], "emotion") == "happy" ? 1 : 0;
+    EXPECT_EQ(signals, 2);
+  }
+}
+
+TEST(SessionPlan, OfTwoIntervalsHasTheSignalFirstForHalfOfTheShowings) {
+  const Manifest manifest =
+      asked_study(5, "participants: 12, trials: two_interval, question: Is it, signal: [a1, b2]");
+  int first = 0, all = 0;
+  for (const SessionPlan& plan : plan_sessions(manifest)) {
+    for (const Trial& trial : plan.trials) {
+      ++all;
+      first += trial.stimuli[0] == "a1" || trial.stimuli[0] == "b2" ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(all, 12 * 6);
+  EXPECT_EQ(2 * first, all);
+}
+
+TEST(SessionPlan, OfSetsHasAllStimuliEquallyOftenInAllPlaces) {
+  const Manifest manifest =
+      asked_study(7,
+                  "participants: 12, scales: [sad-happy, slow-fast], trials: best_worst, "
+                  "best_worst: {size: 3}");
+  const auto plans = plan_sessions(manifest);
+  std::map<std::string, int> shown;
+  std::map<std::pair<std::string, std::size_t>, int> places;
+  std::map<std::pair<std::string, std::string>, int> together;
+  for (const Trial& trial : plans[0].trials) {
+    ASSERT_EQ(trial.stimuli.size(), 3u);
+    for (const std::string& one : trial.stimuli) {
+      ++shown[one];
+      for (const std::string& other : trial.stimuli)
+        if (one < other) ++together[{one, other}];
+    }
+  }
+  // Seven sets of three of seven stimuli; best would be each with each other once (Fano's plane).
+  EXPECT_EQ(shown.size(), 7u);
+  for (const auto& [id, count] : shown) EXPECT_EQ(count, 3) << id;
+  EXPECT_GE(together.size(), 18u);
+  for (const auto& [pair, count] : together) EXPECT_LE(count, 2) << pair.first << pair.second;
+  for (const SessionPlan& plan : plans)
+    for (const Trial& trial : plan.trials)
+      for (std::size_t i = 0; i < 3; ++i) ++places[{trial.stimuli[i], i}];
+  for (const auto& [place, count] : places) EXPECT_EQ(count, 12) << place.first;
+  std::vector<std::string> items;
+  for (const TrialItem& item : plans[0].trials[0].items) items.push_back(item.item);
+  EXPECT_EQ(items, (std::vector<std::string>{"sad-happy/best", "sad-happy/worst", "slow-fast/best",
+                                             "slow-fast/worst"}));
+  const Balance balance = balance_of(manifest, plans);
+  EXPECT_EQ(balance.subjects.size(), 7u);
+  EXPECT_TRUE(balance.left.empty());
+  EXPECT_EQ(place_range(balance).least, 12);
+  EXPECT_TRUE(place_range(balance).is_uniform());
+}
+
 TEST(SessionPlan, AsksForAnAnswerThatThereIs) {
   std::set<std::string> points, emotions;
   for (const SessionPlan& plan : plans_of(20, "attention: {every: 3}, answer: {points: 7}")) {
@@ -177,6 +282,27 @@ TEST(SessionPlan, AsksForAnAnswerThatThereIs) {
     }
   }
   EXPECT_EQ(emotions, (std::set<std::string>{"angry", "calm", "happy", "sad"}));
+  std::set<std::string> others;
+  for (const std::string members :
+       {"trials: same_different", "trials: yes_no, question: Is it, signal: [a1, b2]",
+        "trials: two_interval, question: Is it, signal: [a1, b2]",
+        "scales: [sad-happy], trials: best_worst, best_worst: {size: 3, sets: 9}"}) {
+    const Manifest manifest = asked_study(5, "participants: 12, attention: {every: 2}, " + members);
+    for (const SessionPlan& plan : plan_sessions(manifest))
+      for (const Trial& trial : plan.trials)
+        if (trial.is_attention_check()) others.insert(trial.expected);
+  }
+  EXPECT_EQ(others, (std::set<std::string>{"1", "2", "3", "different", "first", "no", "same",
+                                           "second", "yes"}));
+}
+
+TEST(SessionPlan, OfTwoIntervalsTakesAsLongAsBothVideos) {
+  const Manifest manifest =
+      asked_study(2,
+                  "participants: 1, trials: two_interval, question: Is it, signal: [a1], "
+                  "pace: {answer: 2, between: 1}");
+  const SessionPlan plan = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}})[0];
+  EXPECT_DOUBLE_EQ(plan.expected_seconds, 5.0 + 0.5 + 7.0 + 2.0 + 1.0);
 }
 
 TEST(SessionPlan, IsExpectedToTakeWhatItsPartsTake) {

@@ -9,9 +9,13 @@ namespace {
 
 const std::vector<std::string> choices = {"sad", "happy", "calm"};
 
-/// A trial of a kind with two stimuli at most, that asks its own item and a scale.
+/// A trial of a kind that asks its own item and a scale, or of a set.
 Trial trial_of(const TrialKind& kind) {
   Trial trial{.kind = &kind, .stimuli = {"walk", "run"}, .items = {{"sad-happy", true}}};
+  if (kind.form->is_set)
+    trial = {.kind = &kind,
+             .stimuli = {"walk", "run", "jump"},
+             .items = {{"sad-happy/best"}, {"sad-happy/worst"}}};
   trial.stimuli.resize(kind.form->stimuli);
   if (!kind.form->item.empty()) trial.items.push_back({std::string(kind.form->item)});
   return trial;
@@ -47,7 +51,9 @@ AnswerRow completed(const Question& question, const std::string& raw) {
 }
 
 ItemResponse response_of(const Question& question, const std::string& raw) {
-  const bool is_number = raw.find_first_not_of("0123456789") == std::string::npos;
+  // Places in a set are choices, not numbers.
+  const bool is_number = !question.trial.kind->form->is_set &&
+                         raw.find_first_not_of("0123456789") == std::string::npos;
   return {.item = question.item.item, .value_raw = raw, .is_number = is_number};
 }
 
@@ -152,6 +158,52 @@ TEST(Trials, OfTwoStimuliMayEndInATieAndHaveAStrength) {
   const Question without{trial, trial.items[0], &plain, choices};
   for (const char* raw : {"tie", "left_much"})
     EXPECT_NE(pair_trials.fault(without, response_of(without, raw)), "") << raw;
+}
+
+TEST(Trials, OfSetsAreAnsweredWithPlaces) {
+  Trial trial{.kind = &best_worst_trials,
+              .stimuli = {"walk", "run", "jump", "sit"},
+              .items = {{"sad-happy/best"}, {"sad-happy/worst"}}};
+  EXPECT_EQ(trial.against(), "run jump sit");
+  const Question best{trial, trial.items[0], nullptr, choices};
+  const Question worst{trial, trial.items[1], nullptr, choices};
+  EXPECT_EQ(completed(best, "3").value, "jump");
+  const SimulatedView view{.opinion = [](std::size_t which) {
+    return which == 2 ? 1.0 : which == 1 ? -1.0 : 0.0;
+  }};
+  EXPECT_EQ(best_worst_trials.simulated(best, view), "3");
+  EXPECT_EQ(best_worst_trials.simulated(worst, view), "2");
+  const SimulatedView indifferent{.opinion = [](std::size_t) { return 0.0; }};
+  EXPECT_NE(best_worst_trials.simulated(best, indifferent),
+            best_worst_trials.simulated(worst, indifferent));
+  const auto contradiction = [&](const char* one, const char* other) {
+    return best_worst_trials.contradiction({{.item = "sad-happy/best", .value_raw = one},
+                                            {.item = "weak-strong/worst", .value_raw = "1"},
+                                            {.item = "sad-happy/worst", .value_raw = other}});
+  };
+  EXPECT_EQ(contradiction("1", "2"), "");
+  EXPECT_NE(contradiction("2", "2"), "");
+  for (const char* raw : {"0", "5", "1.5", ""})
+    EXPECT_NE(best_worst_trials.fault(best, {.item = "sad-happy/best", .value_raw = raw}), "");
+}
+
+TEST(Trials, OfDetectionAreSimulatedByObservations) {
+  const auto answer = [](const TrialKind& kind, double one, double other) {
+    const Trial trial = trial_of(kind);
+    const Question question{trial, trial.items.back(), nullptr, choices};
+    const SimulatedView view{
+        .opinion = [=](std::size_t which) { return which == 0 ? one : other; }};
+    return kind.simulated(question, view);
+  };
+  EXPECT_EQ(answer(yes_no_trials, 0.6, 0.0), "yes");
+  EXPECT_EQ(answer(yes_no_trials, 0.4, 0.0), "no");
+  EXPECT_EQ(answer(two_interval_trials, 0.6, 0.4), "first");
+  EXPECT_EQ(answer(two_interval_trials, 0.4, 0.6), "second");
+  EXPECT_EQ(answer(same_different_trials, -0.7, 0.7), "same");
+  EXPECT_EQ(answer(same_different_trials, 0.8, -0.8), "different");
+  const Trial trial = trial_of(two_interval_trials);
+  const Question question{trial, trial.items.back(), nullptr, choices};
+  EXPECT_EQ(completed(question, "second").value, "run");
 }
 
 TEST(Trials, AreCalledAttentionChecksWhereAnAnswerIsExpected) {

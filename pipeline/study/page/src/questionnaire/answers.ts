@@ -57,7 +57,7 @@ export function choicesOf(
   }
   const asked: Asked = {
     root,
-    focus: () => (inputs.find((input) => input.checked) ?? inputs[0])?.focus(),
+    focus: () => (inputs.find((input) => input.checked) ?? inputs.find((input) => !input.disabled))?.focus(),
     answer: () => (value === null ? null : { item, value_raw: raw(value), at }),
   };
   const choose = (input: HTMLInputElement, isKey: boolean) => {
@@ -69,7 +69,7 @@ export function choicesOf(
   for (const input of inputs) input.addEventListener("change", () => choose(input, false));
   root.addEventListener("keydown", (event) => {
     const input = /^[1-9]$/.test(event.key) ? inputs[Number(event.key) - 1] : undefined;
-    if (!input || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!input || input.disabled || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     input.focus();
     choose(input, true);

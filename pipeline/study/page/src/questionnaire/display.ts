@@ -52,16 +52,25 @@ export function shownSize(display: Display | undefined, shown: Element): ShownSi
     shown_cm: cm === null ? null : rounded(cm), shown_degrees: degrees === null ? null : rounded(degrees) };
 }
 
-/** Width and height of the window that a trial with these stimuli beside each other needs, CSS pixels. */
-export function neededWindow(display: Display | undefined, besides: Media[][]): [number, number] {
+/** The rows in which the stimuli of a trial are shown: the first half, rounded up, of more than three, and the rest. */
+export const rowsOfSet = (media: Media[]): Media[][] => {
+  const columns = media.length > 3 ? Math.ceil(media.length / 2) : media.length;
+  return media.length > columns ? [media.slice(0, columns), media.slice(columns)] : [media];
+};
+
+/** Width and height of the window that trials with stimuli in these rows need, CSS pixels. */
+export function neededWindow(display: Display | undefined, trials: Media[][][]): [number, number] {
   const around = [64, 150] as const;  // margins, the title and the progress
   let width = 0, height = 0;
-  for (const row of besides) {
-    const widths = row.map((media) => fixedWidth(display, media) ?? 0);
-    width = Math.max(width, widths.reduce((sum, one) => sum + one + 24, 0));
-    row.forEach((media, index) => {
-      height = Math.max(height, media.width ? (widths[index]! * media.height) / media.width : 0);
-    });
+  for (const rows of trials) {
+    let all = 0;
+    for (const row of rows) {
+      const widths = row.map((media) => fixedWidth(display, media) ?? 0);
+      width = Math.max(width, widths.reduce((sum, one) => sum + one + 24, 0));
+      all += Math.max(0, ...row.map((media, index) =>
+        media.width ? (widths[index]! * media.height) / media.width : 0));
+    }
+    height = Math.max(height, all);
   }
   return width ? [Math.ceil(width) + around[0], Math.ceil(height) + around[1]] : [0, 0];
 }

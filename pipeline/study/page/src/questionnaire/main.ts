@@ -1,6 +1,6 @@
 import { initJsPsych } from "jspsych";
 import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
-import { calibrate, neededWindow, needsCalibration } from "./display";
+import { calibrate, neededWindow, needsCalibration, rowsOfSet } from "./display";
 import { saveFiles } from "./files";
 import { jatosIds } from "./jatos";
 import { LoadPage } from "./load_page";
@@ -99,12 +99,12 @@ async function turnAway({ mode, experiment, store, texts, parameters }: Session)
 /** Asks for a window in which the stimuli have their size; whoever cannot give one goes on all the same. */
 async function fitWindow({ experiment, store, texts }: Session, display: HTMLElement): Promise<void> {
   const { settings, media } = experiment;
-  const besides = store.session.trials.map((trial) => {
+  const trials = store.session.trials.map((trial) => {
     const shown = settings.pairs === "in_turn" ? trial.media.slice(0, 1)
       : trial.reference ? [...trial.media, trial.reference] : trial.media;
-    return shown.map((token) => media[token]!);
+    return rowsOfSet(shown.map((token) => media[token]!));
   });
-  await enlargedWindow(display, texts, neededWindow(settings.display, besides));
+  await enlargedWindow(display, texts, neededWindow(settings.display, trials));
 }
 
 /** The timeline; what is kept already is left out. */

@@ -19,7 +19,7 @@ function rowsOf(
   experiment: Experiment, session: Session, trial: Trial, record: PageRecord,
 ): Row[] {
   const stimulus = (token: string | undefined) => (token && experiment.stimuli?.[token]) ?? "";
-  const [shown, other] = trial.media;
+  const [shown, ...others] = trial.media;
   const kind = kindOf(trial);
   const expected = trial.expected ?? "";
   return record.responses.map((response, index) => {
@@ -33,7 +33,7 @@ function rowsOf(
       kind: trial.kind,
       stimulus: stimulus(shown),
       stimulus_sha256: record.media_sha256?.[0] ?? "",
-      against: stimulus(other ?? trial.reference),
+      against: others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference),
       item: response.item,
       value_raw: raw,
       value,

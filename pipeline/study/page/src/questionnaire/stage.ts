@@ -9,7 +9,8 @@ export interface ShownMedia {
   token: string;
   url: string;
   media: Media;
-  role: "alone" | "to_rate" | "reference" | "left" | "right";
+  /** A member of a set has its number. */
+  role: "alone" | "to_rate" | "reference" | "left" | "right" | "member";
 }
 
 /** What was seen, in milliseconds from when the trial began. */
@@ -29,13 +30,14 @@ const mostVolumeEvents = 50;
 /** How long a film may stand still before it may be started again. */
 const patienceMs = 6000;
 
-const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d" };
+const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d",
+  member: "#3d3d3d" };
 
 /** Between two stimuli that are shown one after the other (questionnaire/session_duration.cpp). */
 const betweenMs = 500;
 
 /**
- * One stimulus, or two beside each other or one after the other, covered until they are played and after they have
+ * One stimulus, several beside each other, or two one after the other, covered until they are played and after they have
  * ended. Those beside each other begin together. They have been seen when the last has ended.
  */
 export class Stage {
@@ -63,7 +65,8 @@ export class Stage {
     private beganAt: number, private told: { began(): void; ended(): void },
   ) {
     this.isInTurn = settings.pairs === "in_turn" && shown.some(({ role }) => role === "left");
-    const look = this.isInTurn ? "one in-turn" : shown.length > 1 ? "two" : "one";
+    const look = this.isInTurn ? "one in-turn" : shown.length > 2 ? `set of-${shown.length}`
+      : shown.length > 1 ? "two" : "one";
     this.root = element("div", { class: `stage ${look}` });
     if (settings.display) this.root.classList.add("fixed");
     this.frames = element("div", { class: "frames" });
@@ -81,7 +84,8 @@ export class Stage {
 
   private frameOf({ url, media, role }: ShownMedia): HTMLElement {
     const [left, right] = pairNames({ settings: this.settings }, this.texts);
-    const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right }[role];
+    const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right,
+      member: String(this.screens.length + 1) }[role];
     const events: ScreenEvents = {
       began: () => this.began(),
       stalled: () => this.stalled(),

@@ -35,6 +35,7 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
     ({ token, url: stock.get(token)!, media: experiment.media[token]!, role });
   const [first, second] = trial.media;
+  if (trial.media.length > 2) return trial.media.map((token) => shown(token, "member"));
   if (first && second) return [shown(first, "left"), shown(second, "right")];
   if (first && trial.reference) return [shown(first, "to_rate"), shown(trial.reference, "reference")];
   return first ? [shown(first, "alone")] : [];

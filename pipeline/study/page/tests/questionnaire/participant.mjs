@@ -18,6 +18,14 @@ const placeOf = (wanted, turn, all, careless = false) => {
   return /leftmost/.test(wanted) ? first : /rightmost/.test(wanted) ? last : turn % all;
 };
 
+/** The place of the answer that a check asks for by its text, of these inputs; −1 if it asks for none. */
+const namedPlace = (inputs, wanted) => {
+  const word = /choose “(.+)”/.exec(wanted)?.[1];
+  return word === undefined ? -1 : inputs.evaluateAll((all, asked) => all.findIndex((input) =>
+    (input.getAttribute("aria-label") ?? input.labels[0].innerText) === asked ||
+    input.labels[0].innerText === asked), word);
+};
+
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
 async function answerByMouse(page, number, careless) {
   if (await page.locator(".stage").count()) {
@@ -28,9 +36,7 @@ async function answerByMouse(page, number, careless) {
   const asked = page.locator("fieldset.asked");
   for (let i = 0; i < (await asked.count()); i += 1) {
     const inputs = asked.nth(i).locator("input");
-    const word = /choose “(.+)”/.exec(wanted)?.[1];
-    const named = word === undefined ? -1 : await inputs.evaluateAll((all, asked) => all.findIndex((input) =>
-      (input.getAttribute("aria-label") ?? input.labels[0].innerText) === asked), word);
+    const named = await namedPlace(inputs, wanted);
     const place = named >= 0 ? named : placeOf(wanted, i + number, await inputs.count(), careless);
     await inputs.nth(place).click({ force: true });
   }
@@ -57,7 +63,8 @@ async function answerByKeys(page, number) {
     await focus("fieldset.asked input");
     const all = await page.evaluate(() =>
       document.activeElement.closest("fieldset").querySelectorAll("input").length);
-    const place = placeOf(wanted, i + number, all);
+    const named = await namedPlace(page.locator("fieldset.asked").nth(i).locator("input"), wanted);
+    const place = named >= 0 ? named : placeOf(wanted, i + number, all);
     if (i % 2 === 0 || all > 9) {
       await page.keyboard.press(String(place + 1));
     } else {

@@ -767,11 +767,24 @@ async function languages() {
   return { chosen, checked, back, places, poles, faults, moved, clicked, ...saved };
 }
 
+/** A set whose second stimulus is chosen as best and then, by the same key, as worst. */
+async function set() {
+  const { page, troubles } = await open(`${onDisk}?participant=p001`);
+  await takeToTrial(page);
+  const state = () => page.evaluate(() => [...document.querySelectorAll("fieldset.asked")].map((one) =>
+    [...one.querySelectorAll("input")].map((input) => input.checked ? "chosen" : input.disabled ? "barred" : "free")));
+  await page.keyboard.press("2");
+  await page.keyboard.press("2");
+  const barred = await state();
+  await page.keyboard.press("3");
+  return { barred, chosen: await state(), troubles };
+}
+
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
-  thanks_again: thanksAgain, crowded, heard, languages };
+  thanks_again: thanksAgain, crowded, heard, languages, set };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

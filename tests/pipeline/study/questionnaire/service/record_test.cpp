@@ -126,6 +126,28 @@ TEST_F(Records, OfChecksAreAnsweredAsTheOtherTrialsAre) {
   EXPECT_THROW(give("sad-happy", "left"), RecordFault);
 }
 
+TEST_F(Records, OfASetWhoseBestIsItsWorstAreRefused) {
+  SessionPlan plan{.trials = {{.number = 1,
+                               .kind = &best_worst_trials,
+                               .stimuli = {"walk-sad", "walk-happy", "walk-normal"},
+                               .items = {{"sad-happy/best"}, {"sad-happy/worst"}}}}};
+  nlohmann::json text = good_record(study_, 0, "consent");
+  text["record"] = "trial-1";
+  const auto give = [&](const nlohmann::json& best, const nlohmann::json& worst) {
+    text["responses"] = {{{"item", "sad-happy/best"}, {"value_raw", best}},
+                         {{"item", "sad-happy/worst"}, {"value_raw", worst}}};
+    check_record(study_.facts, plan, read_record(text));
+  };
+  EXPECT_NO_THROW(give("3", "1"));
+  EXPECT_THROW(give("3", "3"), RecordFault);
+  EXPECT_THROW(give("4", "1"), RecordFault);
+  EXPECT_THROW(give(3, "1"), RecordFault);
+  text["media_sha256"] = nlohmann::json(std::vector<std::string>(6, ""));
+  EXPECT_THROW(give("3", "1"), RecordFault) << "more media than stimuli";
+  text["media_sha256"] = nlohmann::json(std::vector<std::string>(9, ""));
+  EXPECT_THROW(read_record(text), RecordFault);
+}
+
 /// A session as experiment.json tells it.
 SessionPlan plan_in(const nlohmann::json& session, const nlohmann::json& stimuli) {
   SessionPlan plan{.participant = session.at("participant"),

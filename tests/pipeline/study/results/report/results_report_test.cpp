@@ -352,7 +352,8 @@ TEST(ResultsReport, HasTheWorthOfComparedStimuli) {
   EXPECT_EQ(parse_csv(files.at("results/circular_triads.csv"), "triads.csv").rows.size(), 12u);
   for (const CsvField& column : worth.header)
     EXPECT_NE(files.at("codebook.csv")
-                  .find("results/worth.csv,scale and stimulus or condition of a study of pairs," +
+                  .find("results/worth.csv,scale and stimulus or condition of a study of pairs or "
+                        "sets," +
                         column.text + ","),
               std::string::npos)
         << column.text;
