@@ -57,6 +57,7 @@ test("a study's own texts are used", async () => {
     missing: { count: { other: "{count} saknas" } } } };
   assert.equal(textsOf("sv", own).next, "Vidare");
   assert.equal(textsOf("sv", own).missing({ count: 1 }), "1 saknas");
+  assert.equal(textsOf("fa", own).missing({ count: 12 }), "12 saknas");
   assert.equal(directionOf("sv", own), "rtl");
   assert.equal(directionOf("ar"), "rtl");
   assert.equal(directionOf("sv"), "ltr");
@@ -73,6 +74,7 @@ test("the browser's preference decides between languages", async () => {
   assert.equal(chosen(["en", "de"]), "en");
   assert.equal(chosen(["en", "pt-BR"], "pt-PT"), "pt-BR");
   assert.equal(chosen(["zh", "en"], "zh-Hant-TW"), "zh");
+  assert.equal(chosen(["zh-Hans", "zh-Hant"], "zh-Hant-TW"), "zh-Hant");
   assert.equal(chosen(["en", "pt", "pt-BR"], "PT-br"), "pt-BR");
   assert.deepEqual(inLanguage({ language: "de" }, ["en"]), { language: "de" });
   assert.deepEqual(inLanguage({ language: "en", title: "T", languages: { en: {}, de: { title: "D" } } }, ["de"]),

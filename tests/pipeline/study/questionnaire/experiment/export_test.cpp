@@ -274,6 +274,24 @@ TEST(Experiment, IsAnotherDesignInOtherWordsOfAnyLanguage) {
   }
 }
 
+TEST(Experiment, IsAnotherDesignInOtherWordsOfScales) {
+  const TemporaryFolder folder;
+  const auto design = [&](const std::string& german) {
+    write_file(folder.path() / "mood.scales.yaml",
+               "scales: {mood: {low: sad, high: happy, de: [" + german + ", froh]}}\n");
+    const ManifestReading reading = parse_manifest(
+        "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+        "stimuli: [{id: a, weights: {sad: 1}}, {id: b, weights: {normal: 1}}]\n"
+        "questionnaire: {participants: 2, language: {browser: [en, de]}, "
+        "scales: {file: mood.scales.yaml}}\n",
+        folder.path() / "m.yaml", [](const std::string&) { return std::nullopt; });
+    EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
+    return design_hash(reading.manifest, plan_sessions(reading.manifest));
+  };
+  EXPECT_EQ(design("traurig"), design("traurig"));
+  EXPECT_NE(design("traurig"), design("betrübt"));
+}
+
 // Such a study keeps the hash that it had before pages had languages to choose from.
 TEST(Experiment, OfOneLanguageIsTheDesignThatItWas) {
   const Manifest manifest = study_of(study_text);
