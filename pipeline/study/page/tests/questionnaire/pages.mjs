@@ -30,7 +30,7 @@ export function savedTexts(page, kinds) {
     try {
       for await (const part of await download.createReadStream()) text += part;
     } catch (error) {
-      if (page.isClosed()) return;
+      if (page.isClosed() || /has been closed/.test(error.message)) return;
       throw error;
     }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
