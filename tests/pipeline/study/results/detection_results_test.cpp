@@ -21,7 +21,7 @@ Manifest detection_study(const TrialForm& form, int participants) {
   Questionnaire& asked = *manifest.questionnaire;
   asked.trials = &form;
   asked.scales = {};
-  asked.question = "Is she sad?";
+  asked.question.text = "Is she sad?";
   if (form.has_key("signal")) asked.signal.levels = {{"emotion", {"sad"}}};
   return manifest;
 }
