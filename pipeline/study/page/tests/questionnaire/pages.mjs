@@ -21,19 +21,35 @@ export const isPast = (page, trial, before) => page.waitForFunction(([name, old]
   return shown && shown.dataset.mark !== old;
 }, [trial, before], { timeout: 60000 });
 
+const reading = new Set();
+
+/** Until the files that pages have begun to save are read, or 10 seconds have passed: a browser that is closed
+ *  before that fails where no caller can catch it. */
+export async function savedAll() {
+  let timer;
+  const late = new Promise((done) => { timer = setTimeout(done, 10000); });
+  await Promise.race([Promise.allSettled([...reading]), late]);
+  clearTimeout(timer);
+}
+
 /** Texts of the files that the page saves, by the names of `kinds` that theirs hold. What the browser has not
  *  read when it is closed is left out: scenarios that want a file wait for it. */
 export function savedTexts(page, kinds) {
   const saved = {};
-  page.on("download", async (download) => {
+  const read = async (download) => {
     let text = "";
     try {
       for await (const part of await download.createReadStream()) text += part;
     } catch (error) {
-      if (page.isClosed() || /has been closed/.test(error.message)) return;
+      if (page.isClosed()) return;
       throw error;
     }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
+  };
+  page.on("download", (download) => {
+    const own = read(download);
+    reading.add(own);
+    own.finally(() => reading.delete(own));
   });
   return saved;
 }

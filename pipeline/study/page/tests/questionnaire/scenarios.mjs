@@ -5,6 +5,7 @@ import { readFileSync } from "node:fs";
 import { basename, join, resolve } from "node:path";
 import { createRequire } from "node:module";
 import { filesOf, filesOfZip, serve } from "../http_server.mjs";
+import { savedAll } from "./pages.mjs";
 import { downloadsOf, openBrowser, take } from "./participant.mjs";
 
 const [name, given] = process.argv.slice(2);
@@ -792,5 +793,6 @@ if (!scenarios[name]) {
 try {
   console.log(JSON.stringify(await scenarios[name]()));
 } finally {
+  await savedAll();
   await browser.close();
 }
