@@ -94,7 +94,8 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
 
   const Ended same = report({answers, "--frozen", bundle, "--studies", made});
-  EXPECT_NE(same.output.find("The study was run as registered in frozen.zip."), std::string::npos)
+  EXPECT_NE(same.output.find("The simulated answers are to the study as registered in frozen.zip."),
+            std::string::npos)
       << same.output << same.errors;
   const Ended other = report({answers, "--frozen", bundle, "--studies", made, "--correction",
                               "none", "--max-failed-checks", "5"});
