@@ -284,6 +284,20 @@ TEST(QuestionnaireChecks, WarnOfPracticeThatIsAnalysed) {
   EXPECT_EQ(warned("participants: 4, scales: all, practice: [a1], stimuli: [b2, c3]"), "");
 }
 
+TEST(QuestionnaireChecks, RefuseComparedStimuliOfNoCondition) {
+  Manifest manifest =
+      test::asked_study(5,
+                        "participants: 4, scales: all, trials: pair, analysis: {factors: "
+                        "[emotion]}");
+  EXPECT_TRUE(check_factorial(manifest).empty());
+  manifest.stimuli[1].factors.clear();
+  const std::vector<Fault> faults = check_factorial(manifest);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].path, "questionnaire.analysis.factors[0]");
+  EXPECT_NE(faults[0].wrong.find("is compared, but has no level of \"emotion\""),
+            std::string::npos);
+}
+
 TEST(QuestionnaireChecks, WarnOfAnAnalysisOfVarianceOfNobody) {
   const auto warned = [](const char* members) {
     return questionnaire_warnings(test::asked_study(12, members)).size();

@@ -81,7 +81,7 @@ export function destinationOf(recruitment: Recruitment | undefined, end: Session
 const filledAddress = (address: string, values: Parameters): string =>
   address.replace(/\{([^{}]*)\}/g, (_, name: string) => encodeURIComponent(values[name] ?? ""));
 
-const leaveAfterSeconds = 30;
+const leaveAfterSeconds = 15;
 
 /**
  * The completion code as text, and a button that leaves the page. With `leavesSoon`, the page leaves by itself
