@@ -17,8 +17,9 @@ struct DetectionCounts {
   friend bool operator==(const DetectionCounts&, const DetectionCounts&) = default;
 };
 
-/// Hit rate H = (hits + 0.5) / (signal trials + 1) and false-alarm rate F likewise: the log-linear
-/// correction (Hautus 1995), applied to all counts, so that rates are never 0 or 1.
+/// Hit rate H = (hits + 0.5) / (signal trials + 1) and false-alarm rate F = (false alarms + 0.5) /
+/// (noise trials + 1): the log-linear correction (Hautus 1995), applied to all counts, so that
+/// rates are never 0 or 1.
 struct DetectionRates {
   double hit = 0.5;
   double false_alarm = 0.5;

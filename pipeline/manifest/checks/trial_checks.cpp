@@ -59,6 +59,10 @@ class TrialFormCheck {
         list_.add_at_key(path, fmt::format("{} trials ask for no preference", form_.name),
                          "omit it, or use trials: pair");
     }
+    const std::string alike = member_path(path_of("preference"), "alike");
+    if (form_.is_detection && list_.was_given(alike))
+      list_.add_at_key(alike, fmt::format("does not apply to {} trials", form_.name),
+                       "omit it, or use same_different: {differ_in: …}");
     const bool has_tie = std::ranges::any_of(
         manifest_.stimuli, [](const Stimulus& stimulus) { return stimulus.id == tie_value; });
     if (asked_.preference.ties && has_tie)

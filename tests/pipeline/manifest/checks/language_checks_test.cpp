@@ -120,17 +120,17 @@ TEST(LanguageChecks, KnowAFileOfTexts) {
 }
 
 TEST(LanguageChecks, RefuseMatchingWithSlidersWithoutNames) {
-  const auto told_of = [](const std::string& members) {
+  const auto faults_with = [](const std::string& members) {
     const ManifestReading reading = parse_manifest(
         "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nmatching: {participants: 2, " +
             members + "}\nstimuli: [{id: a, role: target, weights: {sad: 1}}]\n",
         "m.yaml", [](const std::string&) { return std::nullopt; });
     return reading.faults.empty() ? std::string() : Faults(reading.faults).what();
   };
-  EXPECT_EQ(told_of("language: {browser: [en, ja]}"), "");
-  EXPECT_EQ(told_of("language: de"), "");
-  EXPECT_EQ(told_of("language: {browser: [de, en]}, interfaces: [weights]"), "");
-  const std::string text = told_of("language: {browser: [de, en]}");
+  EXPECT_EQ(faults_with("language: {browser: [en, ja]}"), "");
+  EXPECT_EQ(faults_with("language: de"), "");
+  EXPECT_EQ(faults_with("language: {browser: [de, en]}, interfaces: [weights]"), "");
+  const std::string text = faults_with("language: {browser: [de, en]}");
   EXPECT_NE(text.find("motion features have no names in de"), text.npos) << text;
   EXPECT_NE(text.find("the group quickness has no name in de"), text.npos) << text;
   EXPECT_NE(text.find("slow-fast and 40 more scales have no words in de"), text.npos) << text;

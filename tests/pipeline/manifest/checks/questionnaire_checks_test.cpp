@@ -194,6 +194,8 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
       {"participants: 4, scales: all, trials: pair, stimuli: [a1, b2], preference: {alike: "
        "[actor]}",
        "questionnaire.preference.alike", "no two stimuli have equal levels"},
+      {"participants: 4, trials: same_different, preference: {alike: [actor]}",
+       "questionnaire.preference.alike", "does not apply to same_different trials"},
       {"participants: 4, scales: all, trials: pair, pairs: [[a1, b2]], preference: {alike: "
        "[actor]}",
        "questionnaire.preference.alike", "the pairs are listed"},
