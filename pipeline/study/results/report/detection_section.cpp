@@ -8,10 +8,6 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string detection_paragraph(const std::string& plain) {
-  return "<p>" + html_escaped(plain) + "</p>\n";
-}
-
 /// What the trials ask and how d′ is determined.
 std::string detection_method(const TrialForm& form) {
   if (&form == &same_different_form)
@@ -71,8 +67,8 @@ std::string detection_section_html(const Results& results, const std::string& fi
   if (found.rows.empty()) return "";
   const TrialForm& form = *results.answer_set.form;
   std::string html =
-      detection_paragraph(detection_method(form)) +
-      detection_paragraph(
+      html_paragraph(detection_method(form)) +
+      html_paragraph(
           "H and F are rates with the log-linear correction (Hautus 1995): 0.5 is added to the "
           "number of hits and of false alarms and 1 to the numbers of trials, whatever they are, "
           "so "
@@ -82,7 +78,7 @@ std::string detection_section_html(const Results& results, const std::string& fi
           "rates give a smaller d′ than the mean of different participants.") +
       figures;
   if (found.people > 1)
-    html += detection_paragraph(fmt::format(
+    html += html_paragraph(fmt::format(
         "Mean d′ of {} participants: {}, 95 % interval {} (Student; participants are independent).",
         found.people, decimal(found.mean_d),
         interval_text(found.mean_ends.low, found.mean_ends.high)));

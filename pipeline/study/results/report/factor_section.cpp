@@ -11,10 +11,6 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string html_paragraph(const std::string& plain) {
-  return "<p>" + html_escaped(plain) + "</p>\n";
-}
-
 /// "2, 22" or, with corrected degrees of freedom, "1.40, 15.4".
 std::string degrees_text(const VarianceEffect& test) {
   if (test.epsilon > 1.0 - 1e-9) return fmt::format("{:g}, {:g}", test.degrees, test.error_degrees);

@@ -56,6 +56,10 @@ std::string wide_table(const std::vector<std::string_view>& heads, const std::st
   return html + "</tr></thead>\n<tbody>" + rows + "</tbody></table></div>\n";
 }
 
+std::string html_paragraph(const std::string& plain) {
+  return "<p>" + html_escaped(plain) + "</p>\n";
+}
+
 std::string closed_table(const std::string& summary, const std::string& table) {
   if (table.empty()) return "";
   return "<details><summary>" + html_escaped(summary) + "</summary>\n" + table + "</details>\n";

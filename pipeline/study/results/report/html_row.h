@@ -46,6 +46,9 @@ class HtmlRow {
 /// heading is not shown; it aligns the heading to the left, for a column of text.
 std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows);
 
+/// A paragraph of plain text.
+std::string html_paragraph(const std::string& plain);
+
 /// A table that is shown when its summary is opened; empty if there is no table.
 std::string closed_table(const std::string& summary, const std::string& table);
 

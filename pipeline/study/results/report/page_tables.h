@@ -9,6 +9,9 @@ namespace mien::pipeline {
 // The tables of the page of results as HTML. Each is empty if it has no rows.
 
 std::string sessions_html(const Results& results);
+/// How many took part, who is left out and why, the answers to questions about participants, and
+/// all sessions.
+std::string people_html(const Results& results);
 /// The quality rules with what they flagged, and all flags. Empty without quality rules.
 std::string quality_html(const Results& results);
 /// Lists of flagged participants with the reasons, who are excluded or included.

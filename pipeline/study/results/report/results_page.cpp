@@ -5,6 +5,7 @@
 
 #include "pipeline/base/documents/html.h"
 #include "pipeline/study/results/answer_set.h"
+#include "pipeline/study/results/report/html_row.h"
 #include "pipeline/study/results/report/page_style.h"
 #include "pipeline/study/results/report/page_tables.h"
 #include "pipeline/study/results/report/results_report.h"
@@ -59,8 +60,6 @@ class PageParts {
   std::string nav_, body_;
 };
 
-std::string paragraph(const std::string& plain) { return "<p>" + html_escaped(plain) + "</p>\n"; }
-
 std::string heading(const std::string& plain) { return "<h3>" + html_escaped(plain) + "</h3>\n"; }
 
 /// A part with its heading; empty without content.
@@ -98,7 +97,7 @@ std::string units_html(const AnswerSet& answer_set) {
   return fmt::format(
       "<p class=\"quiet\">Ratings are in scale units: {} at the low end, {} at the high end. "
       "{}.</p>\n",
-      decimal(first.least, 0), decimal(first.most, 0),
+      fmt::format("{:g}", first.least), fmt::format("{:g}", first.most),
       answer_set.is_slider ? fmt::format("A slider’s length is {:g} units", range)
                            : fmt::format("Neighbouring points of the {} shown differ by {:.3g}",
                                          answer_set.points, range / (answer_set.points - 1)));
@@ -119,47 +118,12 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
               : ". Design hash: " + html_escaped(answer_set.design) + ".</p>\n";
   html += units_html(answer_set);
   if (!frozen.sentence.empty())
-    html += paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
-  return html;
-}
-
-/// The list of participants who failed attention checks.
-std::string inattentive_html(const AnswerSet& answer_set) {
-  std::vector<std::string> names;
-  for (const Attention& own : answer_set.attention)
-    if (own.is_excluded)
-      names.push_back(
-          fmt::format("{} ({} of {} checks passed)", own.participant, own.passed, own.checks));
-  return names.empty() ? "" : paragraph("Excluded:") + html_list("", names);
-}
-
-/// How many took part, and where the others left.
-std::string flow_html(const Results& results) {
-  std::string rows;
-  for (const FlowStage& one : results.flow)
-    rows += HtmlRow().text(one.stage).number(one.sessions).html();
-  if (rows.empty()) return "";
-  return wide_table({"<participation", "sessions"}, rows) +
-         "<p class=\"quiet\">Of who refuses or withdraws nothing is kept; their numbers are on the "
-         "experimenter’s page of a served study.</p>\n";
-}
-
-std::string people_html(const Results& results) {
-  const AnswerSet& answer_set = results.answer_set;
-  const bool has_checks = std::ranges::any_of(answer_set.attention,
-                                              [](const Attention& own) { return own.checks > 0; });
-  std::string html = paragraph(people_sentence(answer_set) + "." +
-                               (has_checks ? " " + to_sentence(answer_set.rule) : ""));
-  html += flow_html(results);
-  html += results.rule_counts.empty() ? inattentive_html(answer_set) : flagged_people_html(results);
-  html += html_list("", unfinished_sentences(answer_set)) + html_list("", answer_set.notes);
-  html += part("Demographics", demographics_html(results));
-  html += "<details><summary>All sessions</summary>\n" + sessions_html(results) + "</details>\n";
+    html += html_paragraph(frozen.sentence) + html_list("warnings", frozen.differences);
   return html;
 }
 
 std::string method_html(const AnswerSet& answer_set) {
-  return paragraph(fmt::format(
+  return html_paragraph(fmt::format(
       "All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
       "within each family of comparisons. In this section, the comparisons of all "
       "videos on all scales form one family. In the sections “Modified, acted and "
@@ -176,7 +140,7 @@ std::string best_html(const Results& results, const PageParts& parts) {
   if (table.empty()) return "";
   std::string html =
       method_html(results.answer_set) +
-      paragraph(
+      html_paragraph(
           "A setting is a combination of levels of all factors except “made”, “emotion”, "
           "“strength”, “example” and “clip”, such as “woman, walk”. For each setting and each end "
           "of each scale, the video rated highest relative to the "
@@ -247,7 +211,7 @@ std::string differences_html(const Results& results, const PageParts& parts) {
   add(ComparisonFamily::modified_best, "");
   add(ComparisonFamily::acted_neutral, "");
   if (html.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "How strongly the intended emotion is perceived. A setting is a combination of "
              "levels of all factors except “made”, “emotion”, “strength”, “example” and “clip”. "
              "For each kind of comparison, the first table is over all settings (none for the "
@@ -269,7 +233,7 @@ std::string differences_html(const Results& results, const PageParts& parts) {
 std::string levels_html(const Results& results, const PageParts& parts) {
   const std::string videos = comparisons_html(results, ComparisonFamily::between_levels);
   if (videos.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "Pairs of videos that differ in the level of one factor only, such as two actors "
              "showing the same emotion: within-participant differences, first minus second.") +
          parts.figures("levels") +
@@ -281,7 +245,7 @@ std::string levels_html(const Results& results, const PageParts& parts) {
 std::string groups_part(const Results& results, const PageParts& parts) {
   const std::string table = groups_html(results);
   if (table.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "Differences between groups of participants: Welch’s test of the participants’ means, "
              "for the two most frequent answers to each demographic question whose answers are not "
              "numbers. If gender was asked, "
@@ -302,7 +266,7 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
                                [=](const Confusion& c) { return c.by_points == by_points; });
   };
   if (is_of(true))
-    html += paragraph(
+    html += html_paragraph(
         "Ratings are converted to points: a rating at an end of a scale gives that end 2 points, a "
         "rating halfway between the middle and an end 1 point, and others in proportion; "
         "percentages are of a row’s total points. The intervals treat "
@@ -310,7 +274,7 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
         "emotion received more points than any other end; the exact binomial test compares their "
         "number with chance (1 / number of ends).");
   if (is_of(false))
-    html += paragraph(
+    html += html_paragraph(
         fmt::format("Each presentation is one choice out of {}; percentages are of a row’s "
                     "choices. “Top response”: choices of the intended emotion; the exact binomial "
                     "test compares their number with chance (one of the {}).",
@@ -321,7 +285,7 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
 std::string agreement_part(const Results& results) {
   const std::string table = agreement_html(results);
   if (table.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "Intraclass correlations (Shrout and Fleiss); k is the number of ratings per video. "
              "Where participants saw only some of the videos, all ratings are used and none are "
              "imputed: ICC(1) comes from the one-way analysis of variance, ICC(2) and ICC(3) from "
@@ -334,7 +298,7 @@ std::string agreement_part(const Results& results) {
 std::string retest_html(const Results& results) {
   const std::string table = retest_summary_html(results);
   if (table.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "Consistency of answers to videos shown twice. All other results use the first answer "
              "only. Differences are in scale units; the correlation is Pearson’s, of first with "
              "second ratings, treated as independent. Excluded participants are listed but not "
@@ -348,7 +312,7 @@ std::string retest_html(const Results& results) {
 std::string words_html(const Results& results, const PageParts& parts) {
   const std::string answers = remarks_html(results.answer_set.words);
   if (answers.empty()) return "";
-  return paragraph(
+  return html_paragraph(
              "Answers are split at commas, semicolons and line ends; case is ignored, and each "
              "word counts once per participant and video. All counts are in "
              "results/word_counts.csv.") +

@@ -160,14 +160,10 @@ std::vector<std::string> worth_remarks(const Results& results) {
   return remarks;
 }
 
-std::string worth_paragraph(const std::string& plain) {
-  return "<p>" + html_escaped(plain) + "</p>\n";
-}
-
 /// What a condition is, if worths are of conditions.
 std::string conditions_paragraph(const Results& results) {
   if (!compares_conditions(results)) return "";
-  return worth_paragraph(fmt::format(
+  return html_paragraph(fmt::format(
       "The stimuli are compared by their levels of {}: answers about all stimuli with the same "
       "levels (a condition) are counted together.",
       fmt::join(results.answer_set.factorial.factors, " and ")));
@@ -187,7 +183,7 @@ std::string differences_html(const Results& results) {
   const std::string planned = worth_contrasts_html(results, ContrastKind::planned);
   const std::string pairs = worth_contrasts_html(results, ContrastKind::pairwise);
   if (planned.empty() && pairs.empty()) return "";
-  std::string html = "<h3>Differences in log-worth</h3>\n" + worth_paragraph(difference_method);
+  std::string html = "<h3>Differences in log-worth</h3>\n" + html_paragraph(difference_method);
   if (!planned.empty()) html += "<h4>Planned contrasts</h4>\n" + planned;
   return html + closed_table(compares_conditions(results) ? "All pairs of conditions"
                                                           : "All pairs of stimuli",
@@ -210,14 +206,14 @@ std::string scores_html(const Results& results) {
 
 /// The worths without what holds for comparisons of pairs only.
 std::string set_section_html(const Results& results, const std::string& figures) {
-  return worth_paragraph(
+  return html_paragraph(
              "Best–worst scaling: of each set of stimuli, participants chose the one that is "
              "closest to the high end of the scale (best) and the one that is closest to the low "
              "end (worst). Score: the number of times that a stimulus was best less the number of "
              "times that it was worst, divided by the number of sets with it, from −1 to 1; its "
              "interval is that of the mean of the participants’ scores (Student).") +
          scores_html(results) +
-         worth_paragraph(
+         html_paragraph(
              "Log-worths by the model of Bradley and Terry with an order effect, from the "
              "comparisons that the answers imply: the best of a set is preferred to all others, "
              "and all others to the worst. This is an approximation of the maximum-difference "
@@ -238,7 +234,7 @@ std::string worth_section_html(const Results& results, const std::string& figure
   if (results.worths.empty()) return "";
   if (!results.best_worst.empty()) return set_section_html(results, figures);
   std::string html =
-      worth_paragraph(
+      html_paragraph(
           "All comparisons for an item together, by the model of Bradley and Terry with ties "
           "(Davidson) and an order effect (Davidson and Beaver). A difference of 1 in log-worth "
           "between two stimuli means odds of e to 1 (2.7 to 1, 73 % of the choices) of being "
@@ -258,7 +254,7 @@ std::string worth_section_html(const Results& results, const std::string& figure
   const std::string transitivity = transitivity_html(results);
   if (!transitivity.empty())
     html += "<h3>Transitivity</h3>\n" +
-            worth_paragraph(
+            html_paragraph(
                 "A single scale of worth requires that preferences are transitive. For three "
                 "stimuli a, b and c with proportions of choices P(ab) and P(bc) of at least one "
                 "half, weak transitivity demands that P(ac) is at least one half, moderate "
