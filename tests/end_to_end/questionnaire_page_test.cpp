@@ -118,10 +118,14 @@ class QuestionnairePage : public testing::Test {
   static json played(const std::string& scenario) { return played(scenario, folder()); }
 
   static json played(const std::string& scenario, const fs::path& given) {
-    const Ended ended =
-        run_program({"env", "MIEN_CHROMIUM=" + chromium_path(), "node",
-                     (page_tests() / "scenarios.mjs").string(), scenario, given.string()},
-                    400.0);
+    return told_by({(page_tests() / "scenarios.mjs").string(), scenario, given.string()});
+  }
+
+  /// What a script with these arguments tells.
+  static json told_by(const std::vector<std::string>& script) {
+    std::vector<std::string> command = {"env", "MIEN_CHROMIUM=" + chromium_path(), "node"};
+    command.insert(command.end(), script.begin(), script.end());
+    const Ended ended = run_program(command, 400.0);
     EXPECT_EQ(ended.code, 0) << ended.errors;
     return json::parse(ended.output, nullptr, false);
   }
@@ -189,6 +193,56 @@ TEST_F(QuestionnairePage, GoesOnAfterAReload) {
   std::vector<int> numbers = reloaded.at("seen");
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<int>(i) + 1);
   expect_complete(reloaded, "p002");
+}
+
+/// The rows of a trial in a table of answers.
+std::vector<std::map<std::string, std::string>> rows_of_trial(const json& taken, int trial) {
+  auto rows = rows_in(taken.at("answers").get<std::string>());
+  std::erase_if(rows, [&](const auto& row) { return row.at("trial") != std::to_string(trial); });
+  return rows;
+}
+
+TEST_F(QuestionnairePage, KnowsAfterAReloadWhatWasWatchedAndLeavesOutWhatCannotBePlayed) {
+  const json told = told_by({(page_tests() / "attempts.mjs").string(), folder().string()});
+  for (const char* replays : {"none", "once", "counted"}) {
+    const json& taken = told.at(replays);
+    EXPECT_EQ(taken.at("troubles"), json::array());
+    EXPECT_EQ(taken.at("is_locked"), true) << "the first playing was broken off";
+    EXPECT_EQ(taken.at("offered"), replays == std::string("counted")) << replays;
+    EXPECT_EQ(taken.at("focus"), true) << "what was watched once may be answered";
+    const auto rows = rows_of_trial(taken, 1);
+    ASSERT_FALSE(rows.empty());
+    for (const auto& row : rows) {
+      EXPECT_EQ(row.at("attempt"), "3");
+      EXPECT_EQ(row.at("plays_before"), "2");
+      EXPECT_EQ(row.at("replays"), "1");
+      EXPECT_GT(std::stod(row.at("watched_before_ms")), 500.0);
+      EXPECT_LT(std::stod(row.at("watched_before_ms")), 30'000.0);
+    }
+    const auto others = rows_of_trial(taken, 2);
+    ASSERT_FALSE(others.empty());
+    for (const auto& row : others) {
+      EXPECT_EQ(row.at("attempt"), "1");
+      EXPECT_EQ(row.at("plays_before") + row.at("watched_before_ms"), "00");
+      EXPECT_EQ(row.at("play_fault"), "");
+    }
+  }
+  const json& taken = told.at("unplayable");
+  std::map<std::string, std::string> faults;  // by trial
+  for (const auto& row : rows_in(taken.at("answers").get<std::string>())) {
+    faults[row.at("trial")] = row.at("play_fault");
+    if (row.at("kind") == "attention") continue;
+    EXPECT_EQ(row.at("value_raw") + row.at("value") + row.at("rt_ms"), "") << row.at("trial");
+    EXPECT_EQ(row.at("attempt"), row.at("is_practice") == "1" ? "1" : "2") << "tried once more";
+  }
+  EXPECT_EQ(faults, (std::map<std::string, std::string>{{"1", "stalled"},
+                                                        {"2", "not_loaded"},
+                                                        {"3", "not_decoded"},
+                                                        {"4", ""},
+                                                        {"5", "not_loaded"}}));
+  EXPECT_EQ(taken.at("faults").at(0).at("first"), 0) << "it is started once more first";
+  const auto people = rows_in(taken.at("participant").get<std::string>());
+  EXPECT_EQ(people.at(0).at("finished"), "1");
 }
 
 TEST_F(QuestionnairePage, IsTakenByKeysAlone) {
@@ -304,6 +358,7 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
             std::string::npos);
   EXPECT_EQ(run.at("session").get<std::string>().find("CDONE"), std::string::npos);
   EXPECT_EQ(run.at("search"), "") << "what the link held is in no address after it";
+  EXPECT_EQ(run.at("link_again"), run.at("path")) << "the same link leads to the same session";
   const auto exported = [&](const char* name) {
     return run_program(
                {"node", "-e",

@@ -104,6 +104,22 @@ std::vector<std::string> included_people(const AnswerSet& answer_set) {
   return people;
 }
 
+/// A sentence on trials that have no answers since their stimuli could not be played; or none.
+std::vector<std::string> unplayed_sentences(const std::vector<AnswerRow>& rows) {
+  std::set<std::pair<std::string, int>> trials;
+  std::set<std::string> people;
+  for (const AnswerRow& row : rows) {
+    if (row.play_fault.empty()) continue;
+    trials.emplace(row.participant, row.trial);
+    people.insert(row.participant);
+  }
+  if (trials.empty()) return {};
+  return {fmt::format("{} of {} {} no answers, since the stimuli could not be played",
+                      counted_noun(trials.size(), "trial", "trials"),
+                      counted_noun(people.size(), "participant", "participants"),
+                      trials.size() == 1 ? "has" : "have")};
+}
+
 /// The flags of rows that have been separated by participants; `sessions` are those before.
 QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>& rows,
                        const std::vector<SessionStart>& sessions, const ReportChoices& choices,
@@ -149,6 +165,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.alpha = asked.analysis.alpha;
   const std::vector<SessionStart> sessions = session_starts(rows);
   result.notes = separate_participants(rows);
+  for (std::string& sentence : unplayed_sentences(rows))
+    result.notes.push_back(std::move(sentence));
   result.simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
   result.attention = attention_of(rows, result.rule);
   result.quality = all_flags(asked, rows, sessions, choices, result);

@@ -70,7 +70,17 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
      &Row::expected},
     {{"passed", "", "1 if the attention check was passed, 0 if failed; otherwise empty"},
      &Row::passed},
-    {{"replays", "", "number of replays"}, &Row::replays},
+    {{"replays", "", "number of replays, including those before a reload of the page"},
+     &Row::replays},
+    {{"attempt", "", "how often the page of this trial was opened: 1, or more if it was reloaded"},
+     &Row::attempt},
+    {{"plays_before", "", "playings that began before the last reload"}, &Row::plays_before},
+    {{"watched_before_ms", "ms", "duration of the longest playing before the last reload"},
+     &Row::watched_before_ms},
+    {{"play_fault", "",
+      "why the stimulus could not be played, so that the trial has no answer: not_loaded, "
+      "not_decoded or stalled; otherwise empty"},
+     &Row::play_fault},
     {{"trial_ms", "ms", "trial duration"}, &Row::trial_ms},
     {{"play_start_ms", "ms", "time from trial onset to the start of the video"},
      &Row::play_start_ms},
@@ -110,8 +120,10 @@ constexpr auto answer_row_columns = [] {
 
 /// Columns that tables of earlier versions do not have.
 bool is_later_column(std::string_view name) {
-  return name == "blur_ms" || name == "volume_events" || name == "pixel_ratio" ||
-         name.starts_with("shown_");
+  constexpr auto later =
+      std::to_array<std::string_view>({"blur_ms", "volume_events", "pixel_ratio", "attempt",
+                                       "plays_before", "watched_before_ms", "play_fault"});
+  return std::ranges::find(later, name) != later.end() || name.starts_with("shown_");
 }
 
 /// Fills rows from fields and gathers what is wrong with them.

@@ -37,6 +37,10 @@ struct AnswerRow {
   std::string expected;   ///< raw answer that passes an attention check
   std::optional<bool> passed;
   std::optional<int> replays;
+  std::optional<int> attempt;  ///< how often the trial's page was opened: 1 unless it was reloaded
+  std::optional<int> plays_before;          ///< playings that began before the last reload
+  std::optional<double> watched_before_ms;  ///< length of the longest of these
+  std::string play_fault;  ///< why the stimulus could not be played: the trial has no answers
   std::optional<double> trial_ms;
   std::optional<double> play_start_ms;
   std::optional<double> ended_ms;
@@ -92,9 +96,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 enum class DuplicateAnswers { refused, allowed };
 
 /// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`
-/// and there were no `blur_ms`, `volume_events` and sizes of stimuli. In the first case, a warning
-/// is added to `warnings` unless it is null. Columns may be in any order; unknown columns are
-/// ignored.
+/// and there were no `blur_ms`, `volume_events`, attempts and sizes of stimuli. In the first case,
+/// a warning is added to `warnings` unless it is null. Columns may be in any order; unknown columns
+/// are ignored.
 ///
 /// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults
 /// of the rows at once: an empty participant or trial, an empty stimulus or item (except in

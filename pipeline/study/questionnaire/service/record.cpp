@@ -105,6 +105,19 @@ AnswerRow row_of_trial(const QuestionnaireFacts& facts, const SessionPlan& plan,
   return row;
 }
 
+/// Rows without answers, of a trial whose stimuli could not be played.
+std::vector<AnswerRow> rows_left_out(const QuestionnaireFacts& facts, const SessionPlan& plan,
+                                     const Trial& trial, const PageRecord& record) {
+  std::vector<AnswerRow> rows;
+  for (const TrialItem& asked : trial.items) {
+    AnswerRow row = row_of_trial(facts, plan, trial, record);
+    row.item = asked.item;
+    if (rows.empty()) row.comment = table_text(record.comment);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 void add_response(const QuestionnaireFacts& facts, const SessionPlan& plan, const Trial& trial,
                   const ItemResponse& response, AnswerRow& row) {
   row.item = response.item;
@@ -181,6 +194,10 @@ PageRecord read_record(const nlohmann::json& text) {
   record.comment = reader.text("comment", max_comment_characters);
   record.started_at = reader.text("started_at", max_name_characters);
   record.measured.replays = reader.count("replays");
+  record.measured.attempt = reader.count("attempt");
+  record.measured.plays_before = reader.count("plays_before");
+  record.measured.watched_before_ms = reader.amount("watched_before_ms", max_ms);
+  record.measured.play_fault = reader.text("play_fault", max_name_characters);
   record.measured.trial_ms = reader.amount("trial_ms", max_ms);
   record.measured.play_start_ms = reader.amount("play_start_ms", max_ms);
   record.measured.ended_ms = reader.amount("ended_ms", max_ms);
@@ -220,6 +237,7 @@ std::vector<std::string> record_names(const SessionPlan& plan, const Questionnai
 std::vector<AnswerRow> rows_of(const QuestionnaireFacts& facts, const SessionPlan& plan,
                                const Trial& trial, const PageRecord& record) {
   std::vector<AnswerRow> rows;
+  if (!record.measured.play_fault.empty()) return rows_left_out(facts, plan, trial, record);
   for (const ItemResponse& response : record.responses) {
     AnswerRow row = row_of_trial(facts, plan, trial, record);
     add_response(facts, plan, trial, response, row);

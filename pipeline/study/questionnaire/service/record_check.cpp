@@ -1,8 +1,10 @@
 #include "pipeline/study/questionnaire/service/record_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,9 @@ namespace {
 
 constexpr char consent_refused[] = "refused";
 constexpr char attention_item[] = "attention";
+
+/// Why stimuli could not be played (page/src/questionnaire/experiment.ts).
+constexpr std::array<std::string_view, 3> play_faults = {"not_loaded", "not_decoded", "stalled"};
 
 void refuse(const std::string& fault) {
   if (!fault.empty()) throw RecordFault(fault);
@@ -46,6 +51,15 @@ void check_media(const QuestionnaireFacts& facts, const Trial& trial, const Page
   if (!is_same) throw RecordFault("the media shown were not those of this trial");
 }
 
+/// A trial whose stimuli could not be played has no answers.
+void check_left_out(const QuestionnaireFacts& facts, const Trial& trial, const PageRecord& record) {
+  if (std::ranges::find(play_faults, record.measured.play_fault) == play_faults.end())
+    throw RecordFault("\"play_fault\" is not a known fault");
+  if (trial.stimuli.empty()) throw RecordFault("this trial shows nothing that could fail to play");
+  check_items(record, {});
+  check_media(facts, trial, record);
+}
+
 void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                         const Trial& trial, const PageRecord& record) {
   if (record.matching.has_value() != (trial.kind == &matching_trials))
@@ -54,6 +68,7 @@ void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);
   }
+  if (!record.measured.play_fault.empty()) return check_left_out(facts, trial, record);
   std::vector<TrialItem> asked = trial.items;
   if (asked.empty() && trial.is_attention_check()) asked = {{attention_item}};
   std::vector<std::string> items;

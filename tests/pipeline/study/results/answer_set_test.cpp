@@ -39,6 +39,28 @@ TEST(AnswerSet, KnowsWhatStimuliAre) {
   EXPECT_EQ(answer_set.points, 11);
 }
 
+TEST(AnswerSet, LeavesOutTrialsThatCouldNotBePlayedAndSaysSo) {
+  const Manifest manifest = two_emotion_study(4);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  const std::size_t all = collect_answers(manifest, rows).ratings.size();
+  const int trial = rows.front().trial;
+  const std::string participant = rows.front().participant;
+  std::size_t left_out = 0;
+  for (AnswerRow& row : rows) {
+    if (row.participant != participant || row.trial != trial) continue;
+    row.value_raw = row.value = row.pole_left = "";
+    row.rt_ms.reset();
+    row.play_fault = "stalled";
+    ++left_out;
+  }
+  const AnswerSet answer_set = collect_answers(manifest, read_back(rows));
+  EXPECT_EQ(answer_set.ratings.size(), all - left_out);
+  EXPECT_EQ(answer_set.people.size(), 4u);
+  EXPECT_EQ(answer_set.notes,
+            (std::vector<std::string>{"1 trial of 1 participant has no answers, since the stimuli "
+                                      "could not be played"}));
+}
+
 TEST(AnswerSet, TellsEveryFaultWithItsPlace) {
   const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);

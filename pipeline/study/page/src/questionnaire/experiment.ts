@@ -183,6 +183,9 @@ export interface Planned<Own extends { participant: string } = Session> {
   destination?: Destination;
 }
 
+/** A stimulus was not loaded, or cannot be decoded, or stopped again and again. */
+export type PlayFault = "not_loaded" | "not_decoded" | "stalled";
+
 /** What is kept of a page: of the consent, the screening, the demographics, a trial or the ending. */
 export interface PageRecord {
   record: string;
@@ -191,6 +194,13 @@ export interface PageRecord {
   comment: string;
   started_at: string;
   replays?: number;
+  /** How often the page of the trial was opened: more than once where it was reloaded. */
+  attempt?: number;
+  /** Playings that were begun before the last reload, and the length of the longest. */
+  plays_before?: number;
+  watched_before_ms?: number;
+  /** Why the stimulus could not be played, so that the trial was left out. */
+  play_fault?: PlayFault | "";
   trial_ms?: number;
   play_start_ms?: number | null;
   ended_ms?: number | null;

@@ -27,8 +27,11 @@ export class LoadPage implements JsPsychPlugin<typeof info> {
     const note = element("p", { role: "status" });
     const page = element("article", { class: "page" }, heading(texts.preparing), bar, note);
     const again = button(texts.again, () => void attempt(), "main");
+    const without = button(texts.goOnWithout, () => this.jsPsych.finishTrial({}));
+    let failures = 0;
     const attempt = async () => {
       again.remove();
+      without.remove();
       try {
         await load((done, all) => {
           bar.max = Math.max(all, 1);
@@ -39,7 +42,9 @@ export class LoadPage implements JsPsychPlugin<typeof info> {
       } catch (error) {
         console.error(error);
         note.textContent = texts.loadFailed;
+        failures += 1;
         page.append(again);
+        if (failures > 1) page.append(without);
         again.focus();
       }
     };

@@ -14,7 +14,7 @@ import { RunPage } from "./run_page";
 import { enlargedWindow, runScreening, screeningFault } from "./screening";
 import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding } from "./session_page";
 import type { Store } from "./store";
-import { linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
+import { goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
@@ -177,6 +177,7 @@ async function main(): Promise<void> {
   const texts = textsOf(experiment.language, experiment.page_texts?.[experiment.language]);
   const given = parametersOf(experiment, await linkParameters(mode));
   if (!mayBegin(experiment, texts, given)) return;
+  await goOnWhereJoined(experiment, given);
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => answersCsv(experiment, session, records),
     files: (session, records) => ({ "participants.csv": participantsCsv(experiment, session, records) }),

@@ -44,6 +44,33 @@ export function rememberParameters(experiment: Recruited, session: string, param
 export const forgetParameters = (experiment: Recruited, session: string): void =>
   memoryOf(experiment, session).clear();
 
+/** By these, recruitment services name a person, or one participation of a person. Links without them may be opened
+    by several people at the same computer. */
+const personal = new Set(["PROLIFIC_PID", "SESSION_ID", "workerId", "assignmentId", "participantId", "survey_code"]);
+
+const joinedOf = (experiment: Recruited): Drawer => new Drawer(`mien/${experiment.design}/joined`);
+
+/** What stands for the person in the link; empty without. */
+const keyOf = (parameters: Parameters): string =>
+  new URLSearchParams(Object.entries(parameters).filter(([name]) => personal.has(name)).sort()).toString();
+
+/** The path of the session that this person began in this browser from the open link. */
+export const joinedSession = (experiment: Recruited, parameters: Parameters): string | undefined =>
+  joinedOf(experiment).read<Record<string, string>>()?.[keyOf(parameters)];
+
+/** From now on, the open link with these parameters leads to the session at this path. */
+export function rememberJoined(experiment: Recruited, parameters: Parameters, path: string): void {
+  if (!keyOf(parameters)) return;
+  joinedOf(experiment).write({ ...joinedOf(experiment).read<Record<string, string>>(), [keyOf(parameters)]: path });
+}
+
+/** The session at this path was withdrawn, or is gone. */
+export function forgetJoined(experiment: Recruited, path: string): void {
+  const others = Object.entries(joinedOf(experiment).read<Record<string, string>>() ?? {})
+    .filter(([, kept]) => kept !== path);
+  joinedOf(experiment).write(Object.fromEntries(others));
+}
+
 /** The values as records hold them: hashed, if the study asks for that; a server hashes them itself. */
 export async function keptParameters(
   experiment: Recruited, values: Parameters, byServer: boolean): Promise<Parameters> {

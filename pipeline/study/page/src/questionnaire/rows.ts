@@ -1,6 +1,6 @@
 import { answerColumns, participantColumns } from "./columns";
 import { screeningFault } from "./screening";
-import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import type { Experiment, PageRecord, Response, Session, Trial } from "./experiment";
 import { toneAttempts, toneItem } from "./tone_count";
 import { kindOf } from "./trials/trial_kinds";
 
@@ -22,9 +22,13 @@ function rowsOf(
   const [shown, ...others] = trial.media;
   const kind = kindOf(trial);
   const expected = trial.expected ?? "";
-  return record.responses.map((response, index) => {
+  const isLeftOut = !!record.play_fault;
+  const responses: Response[] = isLeftOut
+    ? trial.items.map(({ item }) => ({ item, value_raw: "", rt_ms: 0 })) : record.responses;
+  return responses.map((response, index) => {
     const raw = tableText(String(response.value_raw));
-    const { value, pole_left } = kind.meaning(trial, response, raw, experiment, stimulus);
+    const { value, pole_left } = isLeftOut ? { value: "", pole_left: "" }
+      : kind.meaning(trial, response, raw, experiment, stimulus);
     return {
       participant: session.participant,
       session: record.session,
@@ -38,13 +42,17 @@ function rowsOf(
       value_raw: raw,
       value,
       pole_left,
-      rt_ms: numberText(response.rt_ms),
+      rt_ms: isLeftOut ? "" : numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),
       is_check: truth(trial.check || !!kind.isCheck),
       expected,
-      passed: expected === "" ? "" : truth(String(response.value_raw) === expected),
+      passed: expected === "" || isLeftOut ? "" : truth(String(response.value_raw) === expected),
       replays: numberText(record.replays),
+      attempt: numberText(record.attempt),
+      plays_before: numberText(record.plays_before),
+      watched_before_ms: numberText(record.watched_before_ms),
+      play_fault: record.play_fault ?? "",
       trial_ms: numberText(record.trial_ms),
       play_start_ms: numberText(record.play_start_ms),
       ended_ms: numberText(record.ended_ms),

@@ -1,5 +1,6 @@
 // What the pages of all experiments begin and end with.
 
+import { forgetAttempt } from "./attempts";
 import { button, element } from "./elements";
 import type { Destination, Recruitment, SessionEnd } from "./experiment";
 import type { SavedFile } from "./files";
@@ -8,7 +9,7 @@ import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { showTextPage } from "./text_view";
 import { SessionClosed, type Store } from "./store";
-import { destinationOf, forgetParameters, returnElements, type Parameters } from "./recruitment";
+import { destinationOf, forgetJoined, forgetParameters, returnElements, type Parameters } from "./recruitment";
 import { base, root, show, type Mode } from "./surroundings";
 import { directionOf, type Texts } from "./texts";
 import { endWithdrawalOffer, offerWithdrawal } from "./withdrawal";
@@ -82,6 +83,8 @@ export function mayWithdraw(experiment: Frame, store: WithdrawnFrom, texts: Text
   if (!store.withdraw) return;
   offerWithdrawal(texts, () => store.withdraw!(), (told) => {
     forgetParameters(experiment, store.name);
+    forgetAttempt(experiment, store.name);
+    forgetJoined(experiment, base());
     const { recruitment } = experiment;
     const destination = told ?? (recruitment && destinationOf(recruitment, "withdrawn"));
     showEarlyEnd(texts, [texts.withdrawn, ...(experiment.texts.debriefing ?? [])], { parameters, destination });

@@ -1,13 +1,15 @@
-import type { Media, Settings } from "./experiment";
+import type { Media, PlayFault, Settings } from "./experiment";
 import { screenOf, type Screen, type ScreenEvents } from "./screen";
 import { button, element } from "./elements";
+import type { Played, TrialAttempt } from "./attempts";
 import type { Texts } from "./texts";
 import { fixedWidth, shownSize, type ShownSize } from "./display";
 import { pairNames } from "./trials/pair";
 
 export interface ShownMedia {
   token: string;
-  url: string;
+  /** Undefined where it could not be loaded. */
+  url: string | undefined;
   media: Media;
   /** A member of a set has its number. */
   role: "alone" | "to_rate" | "reference" | "left" | "right" | "member";
@@ -16,6 +18,9 @@ export interface ShownMedia {
 /** What was seen, in milliseconds from when the trial began. */
 export interface Seen {
   replays: number;
+  attempt: number;
+  plays_before: number;
+  watched_before_ms: number;
   play_start_ms: number | null;
   ended_ms: number | null;
   stalls: number;
@@ -29,6 +34,12 @@ const mostVolumeEvents = 50;
 
 /** How long a film may stand still before it may be started again. */
 const patienceMs = 6000;
+
+/** How long a participant waits for a film that says nothing before it may be left out. */
+const waitForFilmMs = 20000;
+
+/** After so many stops a film may be left out. */
+const stopsOfFault = 2;
 
 const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d",
   member: "#3d3d3d" };
@@ -51,7 +62,6 @@ export class Stage {
   /** Of those that are shown one after the other, the one that is shown. */
   private current = 0;
   private state: "loading" | "covered" | "playing" = "loading";
-  private plays = 0;
   private firstStart: number | null = null;
   private firstEnd: number | null = null;
   private stalls = 0;
@@ -59,10 +69,16 @@ export class Stage {
   private stalledAt: number | null = null;
   private watchDog = 0;
   private volumeEvents: string[] = [];
+  private played: Played = { begun: 0, ended: 0, longest_ms: 0 };
+  private playedAt: number | null = null;
+  private stops = 0;
+  private waiting = 0;
+  private offer = element("div", { class: "play-fault" });
 
   constructor(
-    shown: ShownMedia[], private settings: Settings, private texts: Texts,
-    private beganAt: number, private told: { began(): void; ended(): void },
+    shown: ShownMedia[], private settings: Settings, private texts: Texts, private attempt: TrialAttempt,
+    private beganAt: number,
+    private told: { began(): void; ended(): void; leftOut(fault: PlayFault): void },
   ) {
     this.isInTurn = settings.pairs === "in_turn" && shown.some(({ role }) => role === "left");
     const look = this.isInTurn ? "one in-turn" : shown.length > 2 ? `set of-${shown.length}`
@@ -70,19 +86,55 @@ export class Stage {
     this.root = element("div", { class: `stage ${look}` });
     if (settings.display) this.root.classList.add("fixed");
     this.frames = element("div", { class: "frames" });
-    for (const one of shown) this.frames.append(this.frameOf(one));
+    const isLoaded = shown.every(({ url }) => url !== undefined);
+    if (isLoaded) for (const one of shown) this.frames.append(this.frameOf(one));
     this.showFrame(0);
     this.playButton = button("", () => this.play(), "play");
     this.note = element("p", { class: "stage-note", role: "status" });
-    this.cover = element("div", { class: "cover" }, this.playButton, this.note);
+    this.cover = element("div", { class: "cover" }, this.playButton, this.note, this.offer);
     this.root.append(this.frames, this.cover);
     this.showCover();
-    Promise.all(this.screens.map(({ ready }) => ready)).then(
-      () => { this.state = "covered"; this.showCover(); },
-      () => { this.note.textContent = texts.loadFailed; });
+    if (isLoaded) this.load();
+    else this.fail("not_loaded");
   }
 
-  private frameOf({ url, media, role }: ShownMedia): HTMLElement {
+  private load(): void {
+    addEventListener("pagehide", this.noteWatched);
+    this.waiting = window.setTimeout(() => this.fail("not_loaded"), waitForFilmMs);
+    Promise.all(this.screens.map(({ ready }) => ready)).then(
+      () => { clearTimeout(this.waiting); this.state = "covered"; this.showCover(); },
+      () => { clearTimeout(this.waiting); this.fail("not_decoded"); });
+  }
+
+  private fail(fault: PlayFault): void {
+    this.root.classList.add("failed");
+    this.note.textContent = this.texts.cannotPlay;
+    this.offerToLeaveOut(fault);
+  }
+
+  /** What cannot be played stops nobody: it may be tried again on a page that is loaded anew, or be left out. */
+  private offerToLeaveOut(fault: PlayFault): void {
+    const { texts } = this;
+    const again = button(texts.again, () => location.reload(), "main");
+    const without = button(texts.leaveOut, () => this.told.leftOut(fault));
+    this.offer.replaceChildren(element("p", { role: "status" }, texts.leaveOutHow),
+      element("div", { class: "buttons" }, again, without));
+  }
+
+  /** Whether the participant has seen as much as is asked for before answering, before the page was reloaded. */
+  isWatched(): boolean {
+    const { begun, ended } = this.attempt.before;
+    return this.settings.watch === "full" ? ended > 0 : begun > 0;
+  }
+
+  /** Notes what is played, so that it is known after a reload. */
+  private noteWatched = (): void => {
+    if (this.playedAt !== null)
+      this.played.longest_ms = Math.max(this.played.longest_ms, Math.round(this.now() - this.playedAt));
+    this.attempt.note(this.played);
+  };
+
+  private frameOf({ url = "", media, role }: ShownMedia): HTMLElement {
     const [left, right] = pairNames({ settings: this.settings }, this.texts);
     const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right,
       member: String(this.screens.length + 1) }[role];
@@ -108,9 +160,10 @@ export class Stage {
     return frame;
   }
 
-  /** The size of the first of the stimuli. */
-  shownSize(): ShownSize {
-    return shownSize(this.settings.display, this.screens[0]!.element);
+  /** The size of the first of the stimuli, if there is one. */
+  shownSize(): ShownSize | undefined {
+    const [first] = this.screens;
+    return first && shownSize(this.settings.display, first.element);
   }
 
   private now = (): number => performance.now() - this.beganAt;
@@ -119,14 +172,17 @@ export class Stage {
   canPlay(): boolean {
     if (this.state !== "covered") return false;
     const { replays } = this.settings;
-    if (this.plays === 0 || replays === "counted") return true;
-    return typeof replays === "number" && this.plays <= replays;
+    const { before } = this.attempt;
+    if (before.ended + this.played.ended === 0 || replays === "counted") return true;
+    return typeof replays === "number" && before.begun + this.played.begun <= replays;
   }
 
   /** From the beginning, if that is allowed now. */
   play(): void {
     if (!this.canPlay()) return;
-    this.plays += 1;
+    this.played.begun += 1;
+    this.playedAt = this.now();
+    this.attempt.note(this.played);
     this.state = "playing";
     this.showCover();
     if (this.isInTurn) this.playFrame(0);
@@ -183,11 +239,15 @@ export class Stage {
   private offerRestart(): void {
     if (this.state !== "playing") return;
     this.wentOn();
-    this.plays -= 1;
+    this.played.begun -= 1;
+    this.noteWatched();
+    this.playedAt = null;
+    this.stops += 1;
     this.state = "covered";
     this.showCover();
     this.note.textContent = this.texts.stalled;
     this.playButton.textContent = this.texts.restart;
+    if (this.stops >= stopsOfFault) this.offerToLeaveOut("stalled");
   }
 
   private ended(): void {
@@ -195,7 +255,11 @@ export class Stage {
     if (this.isInTurn && this.current < this.screens.length - 1) return this.turn();
     if (!this.screens.every((screen) => screen.hasEnded())) return;
     this.wentOn();
+    this.offer.replaceChildren();
     this.firstEnd ??= this.now();
+    this.played.ended += 1;
+    this.noteWatched();
+    this.playedAt = null;
     this.state = "covered";
     this.showCover();
     this.showFrame(-1);
@@ -213,7 +277,8 @@ export class Stage {
   }
 
   private showCover(): void {
-    const { texts, plays } = this;
+    const { texts } = this;
+    const plays = this.played.begun + this.attempt.before.begun;
     this.cover.hidden = this.state === "playing";
     this.root.classList.toggle("playing", this.state === "playing");
     // What is turned may be looked at from all sides when it stands still again.
@@ -233,13 +298,17 @@ export class Stage {
 
   focus(): void {
     if (!this.playButton.hidden) this.playButton.focus();
+    else this.offer.querySelector<HTMLElement>(".main")?.focus();
   }
 
   seen(): Seen {
     const dropped = this.screens.map((screen) => screen.dropped_frames());
     const rounded = (time: number | null) => (time === null ? null : Math.round(time));
     return {
-      replays: Math.max(0, this.plays - 1),
+      replays: Math.max(0, this.attempt.before.begun + this.played.begun - 1),
+      attempt: this.attempt.number,
+      plays_before: this.attempt.before.begun,
+      watched_before_ms: this.attempt.before.longest_ms,
       play_start_ms: rounded(this.firstStart),
       ended_ms: rounded(this.firstEnd),
       stalls: this.stalls,
@@ -252,6 +321,8 @@ export class Stage {
 
   release(): void {
     clearTimeout(this.watchDog);
+    clearTimeout(this.waiting);
+    removeEventListener("pagehide", this.noteWatched);
     for (const screen of this.screens) screen.release();
   }
 }

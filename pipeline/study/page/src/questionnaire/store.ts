@@ -244,7 +244,8 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
  * Of somebody who has no session: who agrees is given one, and goes on at its own address under the
  * name of this window. Each time the page is opened somebody else may sit here.
  */
-export function joiningStore<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
+export function joiningStore<Own extends Named>(
+  experiment: Planned<Own>, base: string, joined: (consent: PageRecord, path: string) => void): Store<Own> {
   const name = randomName();
   return {
     session: experiment.sessions[0]!,
@@ -256,6 +257,7 @@ export function joiningStore<Own extends Named>(experiment: Planned<Own>, base: 
       if (!session) return;
       const there = new URL(session, location.href);
       drawerOf(experiment, there.pathname).write({ participant: "", name, records: {} });
+      joined(record, there.pathname);
       location.replace(there);
       await new Promise(() => {});  // the other page goes on
     },

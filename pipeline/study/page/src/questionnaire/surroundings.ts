@@ -1,6 +1,7 @@
 import { element, heading, paragraphs } from "./elements";
 import type { Planned } from "./experiment";
 import { jatosParameters, jatosStore, type Tables } from "./jatos";
+import { forgetJoined, joinedSession, rememberJoined, type Parameters } from "./recruitment";
 import { folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
@@ -27,11 +28,23 @@ export async function storeOf<Own extends { participant: string }>(
   if (mode === "jatos") return jatosStore(experiment, tables);
   if (mode === "static")
     return folderStore(experiment, new URLSearchParams(location.search).get("participant"));
-  if (experiment.joining) return joiningStore(experiment, base());
+  if (experiment.joining)
+    return joiningStore(experiment, base(), ({ url_parameters: given = {} }, path) =>
+      rememberJoined(experiment, given, path));
   const unsent = unsentRecord(experiment, base());
   const store = servedStore(experiment, base());
   if (unsent) await store.keep(unsent, waitNote(root(), texts));
   return store;
+}
+
+/** Goes on in the session that the person of this link began before, if it is still there. */
+export async function goOnWhereJoined(experiment: { design: string; joining?: boolean }, parameters: Parameters): Promise<void> {
+  const path = experiment.joining && joinedSession(experiment, parameters);
+  if (!path) return;
+  const answer = await fetch(`${path}session.json`, { cache: "no-store" });
+  if (!answer.ok) return forgetJoined(experiment, path);
+  location.replace(path);
+  await new Promise(() => {});  // the other page goes on
 }
 
 /** The last page, which nothing follows. */

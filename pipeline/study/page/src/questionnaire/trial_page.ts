@@ -1,7 +1,8 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
 import { responsesOf, type Asked } from "./answers";
+import { TrialAttempt } from "./attempts";
 import { button, element } from "./elements";
-import type { Experiment, PageRecord, Session, Trial } from "./experiment";
+import type { Experiment, PageRecord, PlayFault, Session, Trial } from "./experiment";
 import { countBlurs } from "./measures";
 import type { Stock } from "./media";
 import { Stage, type ShownMedia } from "./stage";
@@ -33,7 +34,7 @@ export interface TrialSurroundings {
 
 function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownMedia[] {
   const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
-    ({ token, url: stock.get(token)!, media: experiment.media[token]!, role });
+    ({ token, url: stock.get(token), media: experiment.media[token]!, role });
   const [first, second] = trial.media;
   if (trial.media.length > 2) return trial.media.map((token) => shown(token, "member"));
   if (first && second) return [shown(first, "left"), shown(second, "right")];
@@ -61,6 +62,7 @@ class TrialAtWork {
   private comment = element("textarea", { rows: "2", maxlength: "4000", id: "comment" });
   private asked: Asked[] = [];
   private stage: Stage | null = null;
+  private attempt: TrialAttempt;
   private answersSince = performance.now();
   private isOpen = false;
   private isDone = false;
@@ -70,6 +72,7 @@ class TrialAtWork {
     private done: (record: PageRecord) => void,
   ) {
     this.next = button(around.texts.next, () => void this.finish(), "main");
+    this.attempt = new TrialAttempt(around.experiment, around.name, trial.number);
   }
 
   begin(): void {
@@ -85,9 +88,10 @@ class TrialAtWork {
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
     if (shown.length) {
-      this.stage = new Stage(shown, experiment.settings, texts, this.began, {
+      this.stage = new Stage(shown, experiment.settings, texts, this.attempt, this.began, {
         began: () => { if (experiment.settings.watch === "free") this.open(); },
         ended: () => this.ended(),
+        leftOut: (fault) => void this.leaveOut(fault),
       });
       page.append(this.stage.root);
     }
@@ -103,8 +107,13 @@ class TrialAtWork {
     this.display.replaceChildren(page);
     scrollTo(0, 0);
     document.addEventListener("keydown", this.pressed);
-    if (this.stage) this.lock();
+    if (this.stage && !this.stage.isWatched()) this.lock();
     else this.open();
+  }
+
+  private async leaveOut(fault: PlayFault): Promise<void> {
+    if (this.isDone) return;
+    await this.keep({ ...this.record(), responses: [], play_fault: fault });
   }
 
   private head(): HTMLElement {
@@ -214,11 +223,15 @@ class TrialAtWork {
       missing[0]!.focus();
       return;
     }
+    await this.keep(this.record());
+  }
+
+  private async keep(record: PageRecord): Promise<void> {
     this.isDone = true;
-    this.next.disabled = true;
+    for (const one of this.page.querySelectorAll("button")) one.disabled = true;
     document.removeEventListener("keydown", this.pressed);
-    const record = this.record();
     await this.around.keep(record, this.page);
+    this.attempt.end();
     this.stage?.release();
     this.done(record);
   }
@@ -226,7 +239,8 @@ class TrialAtWork {
   private record(): PageRecord {
     const { trial, around } = this;
     const tokens = trial.reference ? [...trial.media, trial.reference] : trial.media;
-    const seen = this.stage?.seen() ?? { replays: 0, play_start_ms: null, ended_ms: null, stalls: 0,
+    const { number: attempt } = this.attempt;
+    const seen = this.stage?.seen() ?? { attempt, replays: 0, play_start_ms: null, ended_ms: null, stalls: 0,
       stall_ms: 0, dropped_frames: null, volume_events: "" };
     return {
       record: `trial-${trial.number}`,

@@ -6,34 +6,15 @@ import { basename, join, resolve } from "node:path";
 import { createRequire } from "node:module";
 import { filesOf, filesOfZip, serve } from "../http_server.mjs";
 import { savedAll } from "./pages.mjs";
-import { downloadsOf, openBrowser, take } from "./participant.mjs";
+import { desktop, opener, phone, withFiles } from "./opened.mjs";
+import { openBrowser, take } from "./participant.mjs";
 
 const [name, given] = process.argv.slice(2);
 const folder = resolve(given);
 const onDisk = `file://${folder}/index.html`;
-const desktop = { viewport: { width: 1366, height: 768 } };
-const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
-  hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
 const browser = await openBrowser();
-
-async function open(url, how = desktop) {
-  const context = await browser.newContext({ acceptDownloads: true, ...how });
-  const page = await context.newPage();
-  const troubles = [];
-  page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
-  page.on("pageerror", (error) => troubles.push(error.message));
-  const saved = downloadsOf(page);
-  await page.goto(url);
-  return { page, troubles, saved };
-}
-
-/** Until all three files are there. */
-async function withFiles({ saved, troubles }, more = {}) {
-  for (let i = 0; i < 100 && Object.keys(saved).length < 3; i += 1)
-    await new Promise((done) => setTimeout(done, 100));
-  return { ...saved, troubles, ...more };
-}
+const open = opener(browser);
 
 /** A reload in the middle of trial 3, while its film runs. */
 async function reload() {
@@ -372,7 +353,14 @@ async function prolific() {
   const page = await come("5f01");
   let session = "";
   let reloads = 0;
+  let linkAgain = "";
   await take(page, { each: async (sight, number) => {
+    if (sight === "trial" && number === 3 && !linkAgain) {
+      await page.goto(linkOf("5f01"));
+      await page.waitForURL(/\/s\/[^/]*\/$/);
+      linkAgain = new URL(page.url()).pathname;
+      return true;
+    }
     if (sight !== "trial" || number !== 2 || reloads > 0) return false;
     reloads += 1;
     session = await page.evaluate(async () => (await fetch("session.json")).text());
@@ -436,7 +424,7 @@ async function prolific() {
   await take(soon);
   await soon.waitForURL("https://app.prolific.com/**", { timeout: 20000 });  // by itself
   return { completed, refused, screened_out: screenedOut, too_young: tooYoung, too_small: tooSmall, withdrawn,
-    failed_attention: failedAttention, session, search: own.search, path: own.pathname, soon: soon.url(),
+    failed_attention: failedAttention, session, link_again: linkAgain, search: own.search, path: own.pathname, soon: soon.url(),
     troubles: troubles.flat() };
 }
 

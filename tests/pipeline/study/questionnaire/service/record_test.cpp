@@ -77,6 +77,44 @@ TEST_F(Records, KeepRawAnswersAndTurnThemIntoTheScalesOwnRange) {
   EXPECT_EQ(both[1].comment, "");
 }
 
+TEST_F(Records, OfTrialsThatCouldNotBePlayedHaveARowForEachItemWithoutAnAnswer) {
+  nlohmann::json text = good_record(study_, 0, "trial-2");
+  text["responses"] = nlohmann::json::array();
+  text["play_fault"] = "not_decoded";
+  EXPECT_NO_THROW(check(text));
+  const std::vector<AnswerRow> both = rows("trial-2", text);
+  ASSERT_EQ(both.size(), 2u);
+  for (const AnswerRow& row : both) {
+    EXPECT_EQ(row.play_fault, "not_decoded");
+    EXPECT_EQ(row.value_raw + row.value, "");
+    EXPECT_EQ(row.rt_ms, std::nullopt);
+    EXPECT_FALSE(row.counts());
+  }
+  text["play_fault"] = "dull";
+  EXPECT_THROW(check(text), RecordFault);
+  text["play_fault"] = "";
+  EXPECT_THROW(check(text), RecordFault) << "nothing is left out without a fault";
+  nlohmann::json answered = good_record(study_, 0, "trial-2");
+  answered["play_fault"] = "stalled";
+  EXPECT_THROW(check(answered), RecordFault) << "what was not seen is not answered";
+  nlohmann::json unseen = good_record(study_, 0, "trial-4");
+  unseen["responses"] = nlohmann::json::array();
+  unseen["play_fault"] = "stalled";
+  EXPECT_THROW(check(unseen), RecordFault) << "an attention check without a stimulus";
+}
+
+TEST_F(Records, TellWhatHadBeenWatchedBeforeAReload) {
+  nlohmann::json text = good_record(study_, 0, "trial-1");
+  text["attempt"] = 2;
+  text["plays_before"] = 1;
+  text["watched_before_ms"] = 640.5;
+  EXPECT_NO_THROW(check(text));
+  const AnswerRow row = rows("trial-1", text).at(0);
+  EXPECT_EQ(row.attempt, 2);
+  EXPECT_EQ(row.plays_before, 1);
+  EXPECT_EQ(row.watched_before_ms, 640.5);
+}
+
 TEST_F(Records, OfOtherKindsHaveTheirOwnValues) {
   EXPECT_EQ(rows("trial-3").at(0).value, "a bit, \"tired\"");
   EXPECT_EQ(rows("trial-3").at(0).pole_left, "");
@@ -222,6 +260,9 @@ TEST_F(Records, ThatNoPageGivesAreRefused) {
       {"trial-1", "/comment", {{"a", 1}}},
       {"trial-1", "/replays", 1.5},
       {"trial-1", "/replays", 1e300},
+      {"trial-1", "/attempt", "2"},
+      {"trial-1", "/watched_before_ms", -1},
+      {"trial-1", "/play_fault", 1},
       {"trial-1", "/media_sha256/0", std::string(64, '0')},
       {"trial-1", "/media_sha256/3", "a"},
       {"trial-2", "/responses/1/value_raw", 101},
