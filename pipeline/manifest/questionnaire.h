@@ -113,11 +113,13 @@ void fields_of(auto&& field, MaybeConst<BestWorstSettings> auto& sets) {
 struct DisplaySettings {
   DisplaySize size;           ///< of the width of each video
   double distance_cm = 60.0;  ///< between the eyes and the screen, as participants are told
+  bool blind_spot = false;    ///< participants measure the distance with the blind spot of the eye
 };
 
 void fields_of(auto&& field, MaybeConst<DisplaySettings> auto& display) {
   field.by("size", display.size, concerns::nothing, DisplaySizeForm());
   field("distance_cm", display.distance_cm, concerns::nothing);
+  field("blind_spot", display.blind_spot, concerns::nothing);
 }
 
 /// A question about the participant.

@@ -249,6 +249,8 @@ TEST_F(QuestionnairePage, IsTakenByKeysAlone) {
   const json taken = played("keys");
   EXPECT_EQ(taken.at("troubles"), json::array());
   expect_complete(taken, "p001");
+  EXPECT_EQ(rows_in(taken.at("participant").get<std::string>()).at(0).at("hand"), "right")
+      << "the second of a list, by the key 2";
 }
 
 TEST_F(QuestionnairePage, WaitsForItsVideosAndTellsWhenOneStalls) {
@@ -390,6 +392,68 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   }
 }
 
+/// The first of these programs that there is; empty without.
+std::string program_among(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const std::string path = run_program({"sh", "-c", "command -v " + name + " || true"}).output;
+    if (!path.empty()) return path.substr(0, path.find('\n'));
+  }
+  return "";
+}
+
+/// WebKitGTK's browser for tests, which lies beside its libraries; empty without.
+std::string mini_browser() {
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const fs::directory_entry& platform : fs::directory_iterator("/usr/lib", none))
+    for (const char* version : {"webkit2gtk-4.1", "webkit2gtk-4.0"})
+      if (const fs::path file = platform.path() / version / "MiniBrowser"; fs::exists(file))
+        found.push_back(file.string());
+  return found.empty() ? "" : found.front();
+}
+
+/// What somebody answered in a browser other than Chromium, who reloaded the page in trial 2 while
+/// its film was playing.
+void expect_taken(const json& taken, const std::string& agent) {
+  EXPECT_NE(taken.at("agent").get<std::string>().find(agent), std::string::npos);
+  EXPECT_EQ(taken.at("reloads"), 1);
+  EXPECT_EQ(rows_in(taken.at("participant").get<std::string>()).at(0).at("finished"), "1");
+  const auto rows = rows_in(taken.at("answers").get<std::string>());
+  EXPECT_GT(rows.size(), 20u);
+  for (const auto& row : rows) {
+    if (row.at("kind") == "attention") {
+      EXPECT_EQ(row.at("passed"), "1");
+      continue;
+    }
+    EXPECT_EQ(row.at("value_raw"), "2");
+    EXPECT_EQ(row.at("attempt"), row.at("trial") == "2" ? "2" : "1");
+    EXPECT_EQ(row.at("replays"), row.at("trial") == "2" ? "1" : "0");
+    EXPECT_EQ(row.at("play_fault"), "");
+    const double played_ms = std::stod(row.at("ended_ms")) - std::stod(row.at("play_start_ms"));
+    EXPECT_GT(played_ms, 800.0) << "a film of 1.1 s, in trial " << row.at("trial");
+  }
+}
+
+TEST_F(QuestionnairePage, IsTakenInFirefox) {
+  const fs::path packages = page_tests() / "../../../browsers";
+  const std::string firefox = program_among({"firefox-esr", "firefox"});
+  if (firefox.empty() || !fs::exists(packages / "node_modules/puppeteer-core"))
+    GTEST_SKIP() << "no Firefox here, or nothing that drives it: ./mien test --all brings both";
+  expect_taken(told_by({(page_tests() / "other_browsers.mjs").string(), "firefox",
+                        folder().string(), packages.string(), firefox}),
+               "Firefox/");
+}
+
+TEST_F(QuestionnairePage, IsTakenInWebKit) {
+  const fs::path packages = page_tests() / "../../../browsers";
+  if (program_among({"WebKitWebDriver"}).empty() || program_among({"xvfb-run"}).empty() ||
+      mini_browser().empty() || !fs::exists(packages / "node_modules/selenium-webdriver"))
+    GTEST_SKIP() << "no WebKitGTK here, or nothing that drives it: ./mien test --all brings both";
+  expect_taken(told_by({(page_tests() / "other_browsers.mjs").string(), "webkit", folder().string(),
+                        packages.string(), mini_browser()}),
+               "AppleWebKit/");
+}
+
 /// A trial without a stimulus has no size.
 TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
   // Two films beside each other, 400 px wide each: neither fits the first window of 600 px.
@@ -425,6 +489,42 @@ TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
     EXPECT_NEAR(std::stod(row.at("shown_degrees")), degrees, 0.01);
   }
   EXPECT_GT(sized, 10);
+}
+
+TEST_F(QuestionnairePage, MeasuresTheViewingDistanceWithTheBlindSpot) {
+  constexpr double pi = 3.14159265358979, card_mm = 85.6, card_px = 400.0, degrees = 8.0;
+  const std::string text = std::string(study_text) +
+                           "  display: {distance_cm: 60, size: {degrees: 8}, blind_spot: true}\n";
+  const fs::path manifest = scratch->write("distant.yaml", text);
+  const fs::path there = scratch->path() / "distant";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-distant").string(), "-o", there.string()}));
+  const json told = told_by({(page_tests() / "blind_spot.mjs").string(), there.string()});
+  const auto width_px = [&](double distance_cm) {
+    return 20.0 * distance_cm * std::tan(degrees / 2.0 * pi / 180.0) * card_px / card_mm;
+  };
+  EXPECT_EQ(told.at("measured").at("faults"), json::array());
+  for (const char* who : {"measured", "unmeasured"}) {
+    EXPECT_EQ(told.at(who).at("troubles"), json::array());
+    int shown = 0;
+    for (const auto& row : rows_in(told.at(who).at("answers").get<std::string>())) {
+      if (row.at("kind") == "attention") continue;
+      ++shown;
+      double distance_cm = 60.0;
+      if (who == std::string("measured")) {
+        distance_cm = std::stod(row.at("viewing_cm"));
+        EXPECT_GT(distance_cm, 49.8) << "the median of 48 … 52 cm";
+        EXPECT_LT(distance_cm, 53.0) << "and a few frames";
+      } else {
+        EXPECT_EQ(row.at("viewing_cm"), "");
+      }
+      EXPECT_NEAR(std::stod(row.at("shown_width")), width_px(distance_cm), 0.5);
+      EXPECT_NEAR(std::stod(row.at("shown_degrees")), degrees, 0.01);
+    }
+    EXPECT_GT(shown, 10);
+  }
+  EXPECT_NE(told.at("unmeasured").at("said").get<std::string>().find("try once more"),
+            std::string::npos);
 }
 
 /// A WAV of 16 bits with a tone.
@@ -488,6 +588,137 @@ TEST_F(QuestionnairePage, PlaysFilmsWithTheirSoundToWhoHearsIt) {
   const std::string told = *events.rbegin();
   EXPECT_NE(told.find(":0.5 "), std::string::npos) << told;
   EXPECT_TRUE(told.ends_with(":0")) << told;
+}
+
+/// Participants with sound whom Prolific sends, in each of the ways to give a questionnaire.
+class ProlificRoundTrip : public QuestionnairePage {
+ protected:
+  /// The manifest, written once.
+  static fs::path manifest() {
+    std::string text = study_text;
+    for (const char* id : {"sad", "proud"}) {
+      const std::string begin = std::string("{id: ") + id + ", ";
+      text.replace(text.find(begin), begin.size(),
+                   begin + "audio: {file: tone.wav, length: cut}, ");
+    }
+    text.replace(text.find("  reference: usual\n"), 19, R"(
+  screening:
+    sound: true
+    questions:
+      - {id: years, ask: "How old are you, in years?", answer: number, accept: {from: 18, to: 99}}
+  recruitment: {prolific: {completed: CDONE, screened_out: COUT, withdrawn: CLEFT}}
+)");
+    scratch->write("tone.wav", wav_of_tone(3.0));
+    return scratch->write("round.yaml", text);
+  }
+
+  static json taken(const std::string& mode, const std::string& given) {
+    return told_by({(page_tests() / "round_trip.mjs").string(), mode, given});
+  }
+
+  static fs::path exported() {
+    const fs::path there = scratch->path() / "round";
+    must_run(mien_with({"study", "export", manifest().string(), "--out",
+                        (scratch->path() / "out-round").string(), "-o", there.string()}));
+    return there;
+  }
+
+  static void expect_ways_back(const json& told) {
+    EXPECT_EQ(told.at("troubles"), json::array());
+    const std::string back = "https://app.prolific.com/submissions/complete?cc=";
+    for (const auto& [end, code] :
+         {std::pair("completed", "CDONE"), std::pair("screened_out", "COUT"),
+          std::pair("withdrawn", "CLEFT")}) {
+      EXPECT_EQ(told.at(end).at("url"), back + code);
+      EXPECT_NE(told.at(end).at("said").get<std::string>().find(code), std::string::npos) << end;
+    }
+    EXPECT_EQ(told.at("completed").at("reloads"), 1);
+    const std::vector<bool> heard = told.at("completed").at("heard");
+    EXPECT_GT(std::ranges::count(heard, true), 1);
+  }
+
+  /// The rows of whoever completed the study.
+  static void expect_answers(const std::string& answers) {
+    const auto rows = rows_in(answers);
+    EXPECT_GT(rows.size(), 20u);
+    for (const auto& row : rows) {
+      EXPECT_EQ(row.at("url_PROLIFIC_PID"), "5f01");
+      EXPECT_EQ(row.at("url_STUDY_ID"), "study");
+      EXPECT_EQ(row.at("url_SESSION_ID"), "5f01-s");
+      EXPECT_EQ(row.at("attempt"), row.at("trial") == "2" ? "2" : "1");
+      EXPECT_EQ(row.at("plays_before"), row.at("trial") == "2"          ? "1"
+                                        : row.at("kind") == "attention" ? ""
+                                                                        : "0");
+      EXPECT_TRUE(row.contains("volume_events"));
+    }
+  }
+
+  static void expect_person(const std::map<std::string, std::string>& row, const json& told) {
+    EXPECT_EQ(row.at("url_PROLIFIC_PID"), "5f01");
+    EXPECT_EQ(row.at("ended"), "completed");
+    EXPECT_EQ(row.at("years"), "27");
+    EXPECT_EQ(row.at("tones_1"), std::to_string(told.at("completed").at("tones").get<int>()));
+  }
+};
+
+TEST_F(ProlificRoundTrip, OfAnExportedPage) {
+  const json told = taken("static", exported().string());
+  expect_ways_back(told);
+  const json& done = told.at("completed");
+  expect_answers(done.at("answers"));
+  expect_person(rows_in(done.at("participant").get<std::string>()).at(0), told);
+  for (const char* end : {"withdrawn", "screened_out"})
+    EXPECT_EQ(told.at(end).at("local").get<std::string>().find("sad-happy"), std::string::npos)
+        << "no answers are left in the browser";
+  EXPECT_EQ(told.at("withdrawn").at("local").get<std::string>().find("5f02"), std::string::npos);
+}
+
+TEST_F(ProlificRoundTrip, OfJatos) {
+  const json told = taken("jatos", exported().string());
+  expect_ways_back(told);
+  const json& done = told.at("completed").at("session");
+  expect_answers(done.at("result"));
+  EXPECT_EQ(done.at("ended"), true);
+  std::string people, out;
+  for (const auto& [name, text] : done.at("files").items())
+    if (name.ends_with("participants.csv")) people = text;
+  expect_person(rows_in(people).at(0), told);
+  const json& withdrawn = told.at("withdrawn").at("session");
+  EXPECT_EQ(withdrawn.at("aborted"), true);
+  EXPECT_FALSE(withdrawn.contains("result"));
+  for (const auto& [name, text] : told.at("screened_out").at("session").at("files").items())
+    if (name.ends_with("participants.csv")) out = text;
+  EXPECT_EQ(rows_in(out).at(0).at("screening_fault"), "answer");
+  EXPECT_EQ(rows_in(out).at(0).at("url_PROLIFIC_PID"), "5f03");
+}
+
+TEST_F(ProlificRoundTrip, OfAServer) {
+  const fs::path said = scratch->path() / "round.txt";
+  const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", said.string(),
+                        MIEN_PROGRAM, "study", "serve", manifest().string(), "--out",
+                        (scratch->path() / "out-round").string(), "--port", "0", "--json",
+                        "--store", (scratch->path() / "round.db").string()});
+  json places;
+  for (int tries = 0; tries < 3000 && !places.is_object(); ++tries) {
+    pause_for(0.1);
+    places = json::parse(text_of(said), nullptr, false);
+  }
+  ASSERT_TRUE(places.is_object());
+  const json told = taken("served", places.at("join"));
+  expect_ways_back(told);
+  const auto exported = [&](const char* name) {
+    return run_program(
+               {"node", "-e",
+                "fetch(process.argv[1]).then(r => r.text()).then(t => process.stdout.write(t))",
+                places.at("lab").get<std::string>() + name})
+        .output;
+  };
+  expect_answers(exported("answers.csv"));
+  const auto people = rows_in(exported("participants.csv"));
+  ASSERT_EQ(people.size(), 2u) << "who withdrew is not there";
+  expect_person(people[0], told);
+  EXPECT_EQ(people[1].at("url_PROLIFIC_PID"), "5f03");
+  EXPECT_EQ(people[1].at("ended") + " " + people[1].at("screening_fault"), "screened_out answer");
 }
 
 TEST_F(QuestionnairePage, ShowsPairsInTurnAndTakesTies) {

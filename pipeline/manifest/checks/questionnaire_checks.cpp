@@ -276,11 +276,13 @@ class QuestionnaireCheck {
 
   void check_display() {
     const DisplaySize::Kind size = questionnaire_.display.size.kind;
-    const std::string distance = member_path(at("display"), "distance_cm");
-    if (list_.was_given(distance) &&
-        (size == DisplaySize::Kind::window || size == DisplaySize::Kind::native))
-      list_.add_at_key(distance, "is not needed for this size",
-                       "add size: {degrees: 12}, or remove it");
+    for (const char* key : {"distance_cm", "blind_spot"}) {
+      const std::string path = member_path(at("display"), key);
+      if (list_.was_given(path) &&
+          (size == DisplaySize::Kind::window || size == DisplaySize::Kind::native))
+        list_.add_at_key(path, "is not needed for this size",
+                         "add size: {degrees: 12}, or remove it");
+    }
     const std::string measure = member_path(at("display"), "size");
     if (list_.was_given(member_path(measure, "cm")) &&
         list_.was_given(member_path(measure, "degrees")))

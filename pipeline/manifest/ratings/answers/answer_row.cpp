@@ -103,8 +103,13 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
     {{"pixel_ratio", "", "device pixels per CSS pixel"}, &Row::pixel_ratio},
     {{"shown_cm", "cm", "width of each stimulus on a screen calibrated with a card"},
      &Row::shown_cm},
-    {{"shown_degrees", "°", "width of each stimulus as visual angle at the stated distance"},
+    {{"shown_degrees", "°",
+      "width of each stimulus as visual angle at the measured viewing distance or, without one, at "
+      "the stated distance"},
      &Row::shown_degrees},
+    {{"viewing_cm", "cm",
+      "viewing distance measured with the blind spot; empty if it was not measured"},
+     &Row::viewing_cm},
     {{"comment", "", "participant's comment on the video; in the first row of a trial"},
      &Row::comment},
     {{"seed", "", "seed of the participant's order"}, &Row::seed},
@@ -120,9 +125,9 @@ constexpr auto answer_row_columns = [] {
 
 /// Columns that tables of earlier versions do not have.
 bool is_later_column(std::string_view name) {
-  constexpr auto later =
-      std::to_array<std::string_view>({"blur_ms", "volume_events", "pixel_ratio", "attempt",
-                                       "plays_before", "watched_before_ms", "play_fault"});
+  constexpr auto later = std::to_array<std::string_view>(
+      {"blur_ms", "volume_events", "pixel_ratio", "attempt", "plays_before", "watched_before_ms",
+       "play_fault", "viewing_cm"});
   return std::ranges::find(later, name) != later.end() || name.starts_with("shown_");
 }
 

@@ -58,7 +58,8 @@ struct AnswerRow {
   std::optional<double> shown_height;   ///< CSS pixels
   std::optional<double> pixel_ratio;    ///< device pixels per CSS pixel
   std::optional<double> shown_cm;       ///< width on a calibrated screen, centimetres
-  std::optional<double> shown_degrees;  ///< width as visual angle at the stated viewing distance
+  std::optional<double> shown_degrees;  ///< width as visual angle at the viewing distance
+  std::optional<double> viewing_cm;     ///< viewing distance measured with the blind spot
   std::string comment;                  ///< only in the first row of a trial
   std::uint64_t seed = 0;
   std::string design;  ///< hash of the questionnaire

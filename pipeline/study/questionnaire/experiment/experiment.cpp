@@ -66,6 +66,7 @@ ordered_json settings_json(const Questionnaire& asked) {
   if (asked.display.size.kind != DisplaySize::Kind::window)
     settings["display"] = {{"size", DisplaySizeForm::write(asked.display.size, {})},
                            {"distance_cm", asked.display.distance_cm}};
+  if (asked.display.blind_spot) settings["display"]["blind_spot"] = true;
   if (const PairPresentation shown = pair_presentation(asked); shown != PairPresentation::together)
     settings["pairs"] = word_of(pair_presentation_words, shown);
   return settings;

@@ -215,6 +215,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.measured.pixel_ratio = reader.amount("pixel_ratio", max_count);
   record.measured.shown_cm = reader.amount("shown_cm", max_count);
   record.measured.shown_degrees = reader.amount("shown_degrees", 180.0);
+  record.measured.viewing_cm = reader.amount("viewing_cm", max_count);
   record.url_parameters = read_url_parameters(reader.find("url_parameters"));
   record.consent = read_consent(reader.find("consent"));
   if (reader.find("language") != nullptr) record.language = reader.name("language");

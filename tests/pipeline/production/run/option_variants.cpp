@@ -166,6 +166,7 @@ const Surroundings surroundings[] = {
     {"questionnaire.consent_version", with_questions, R"({"consent": "Yes."})"},
     {"questionnaire.answer.suggest", with_questions, R"({"words": true})"},
     {"questionnaire.display.distance_cm", with_questions, R"({"size": {"degrees": 12}})"},
+    {"questionnaire.display.blind_spot", with_questions, R"({"size": {"degrees": 12}})"},
     {"questionnaire.preference.alike", with_crossed_pairs, "{}"},
     {"questionnaire.preference.", with_pairs, "{}"},
     {"questionnaire.best_worst.", with_best_worst, "{}"},

@@ -8,8 +8,8 @@ export const answerColumns = [
   "replays", "attempt", "plays_before", "watched_before_ms", "play_fault", "trial_ms",
   "play_start_ms", "ended_ms", "stalls", "stall_ms", "dropped_frames", "volume_events",
   "blurs", "blur_ms", "viewport_width", "viewport_height", "refresh_hz", "shown_width",
-  "shown_height", "pixel_ratio", "shown_cm", "shown_degrees", "comment", "seed",
-  "design", "simulated",
+  "shown_height", "pixel_ratio", "shown_cm", "shown_degrees", "viewing_cm", "comment",
+  "seed", "design", "simulated",
 ] as const;
 
 export const participantColumns = [

@@ -13,17 +13,20 @@ const cardMm = [85.6, 53.98] as const;
 const drawer = (): Drawer => new Drawer(`mien/calibration/${screen.width}x${screen.height}@${devicePixelRatio}`);
 
 /** CSS pixels per millimetre; null where the screen is not calibrated. */
-const calibration = (): number | null => drawer().read<number>();
+export const calibration = (): number | null => drawer().read<number>();
 
 export const needsCalibration = (display: Display | undefined): boolean =>
   typeof display?.size === "object" && calibration() === null;
+
+const viewingCm = (display: Display): number => display.measured_cm ?? display.distance_cm;
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** The width of a stimulus, CSS pixels; null: as large as the window allows. */
 export function fixedWidth(display: Display | undefined, media: Media): number | null {
   if (!display || !media.width) return null;
-  const { size, distance_cm: distance } = display;
+  const { size } = display;
+  const distance = viewingCm(display);
   if (size === "native") return media.width / devicePixelRatio;
   const cm = "cm" in size ? size.cm : 2 * distance * Math.tan(radians(size.degrees) / 2);
   const perMm = calibration();
@@ -37,6 +40,7 @@ export interface ShownSize {
   pixel_ratio: number;
   shown_cm: number | null;
   shown_degrees: number | null;
+  viewing_cm: number | null;
 }
 
 const rounded = (value: number): number => Math.round(1000 * value) / 1000;
@@ -47,9 +51,10 @@ export function shownSize(display: Display | undefined, shown: Element): ShownSi
   const perMm = calibration();
   const cm = perMm === null ? null : width / perMm / 10;
   const degrees = cm === null || !display ? null
-    : (2 * Math.atan(cm / 2 / display.distance_cm) * 180) / Math.PI;
+    : (2 * Math.atan(cm / 2 / viewingCm(display)) * 180) / Math.PI;
   return { shown_width: rounded(width), shown_height: rounded(height), pixel_ratio: rounded(devicePixelRatio),
-    shown_cm: cm === null ? null : rounded(cm), shown_degrees: degrees === null ? null : rounded(degrees) };
+    shown_cm: cm === null ? null : rounded(cm), shown_degrees: degrees === null ? null : rounded(degrees),
+    viewing_cm: display?.measured_cm ?? null };
 }
 
 /** The rows in which the stimuli of a trial are shown: the first half, rounded up, of more than three, and the rest. */

@@ -100,6 +100,9 @@ export interface Settings {
 export interface Display {
   size: "native" | { cm: number } | { degrees: number };
   distance_cm: number;
+  /** Whether the distance is measured with the blind spot, and what was measured in this session. */
+  blind_spot?: boolean;
+  measured_cm?: number;
 }
 
 /** A scale. */
@@ -219,6 +222,7 @@ export interface PageRecord {
   pixel_ratio?: number | null;
   shown_cm?: number | null;
   shown_degrees?: number | null;
+  viewing_cm?: number | null;
   media_sha256?: string[];
   /** Of consent: the language of the page. */
   language?: string;

@@ -1,6 +1,7 @@
 import { initJsPsych } from "jspsych";
 import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
-import { calibrate, neededWindow, needsCalibration, rowsOfSet } from "./display";
+import { distanceOf, measureDistance } from "./blind_spot";
+import { calibrate, calibration, neededWindow, needsCalibration, rowsOfSet } from "./display";
 import { saveFiles } from "./files";
 import { jatosIds } from "./jatos";
 import { LoadPage } from "./load_page";
@@ -127,12 +128,15 @@ function timelineOf(own: Session) {
   if (screening && !kept("screening"))
     timeline.push({ type: RunPage, run: (display: HTMLElement) =>
       runScreening(display, screening, store.name, texts, (record, page) => keepScreening(own, record, page)) });
-  const calibration = { type: RunPage, run: async (display: HTMLElement) => {
+  const calibrating = { type: RunPage, run: async (display: HTMLElement) => {
     const { display: asked } = experiment.settings;
     if (needsCalibration(asked)) await calibrate(display, texts, asked!.distance_cm);
+    if (!asked?.blind_spot) return;
+    if (distanceOf(store.name) === undefined) await measureDistance(display, texts, store.name, calibration()!);
+    asked.measured_cm = distanceOf(store.name) ?? undefined;
   } };
   if (experiment.settings.display)
-    timeline.push(calibration,
+    timeline.push(calibrating,
       { type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
   const keys = [...(isTouched() ? [] : [texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
@@ -155,7 +159,7 @@ function timelineOf(own: Session) {
     if (!trial.practice && before?.practice)
       timeline.push(textPage(own, "", { title: experiment.title, texts: [texts.mainBegins] }));
     // The window may have been moved to another screen, or zoomed.
-    if (experiment.settings.display) timeline.push(calibration);
+    if (experiment.settings.display) timeline.push(calibrating);
     timeline.push({ type: TrialPage, asked: trial, shownIn: around });
   });
   if (!kept("ending"))

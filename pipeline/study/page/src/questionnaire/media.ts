@@ -27,11 +27,15 @@ async function fetched(media: Media): Promise<string> {
   return URL.createObjectURL(new Blob([bytes], { type: media.type }));
 }
 
-/** Waits until a video says that it can be played to its end. */
+/**
+ * Waits until a video says that it can be played to its end. Of one that is here already, WebKit never says that; it is
+ * enough that it can be played.
+ */
 export function playsThrough(video: HTMLVideoElement): Promise<void> {
+  const isHere = video.src.startsWith("blob:");
   return new Promise((ready, failed) => {
-    if (video.readyState >= HTMLMediaElement.HAVE_ENOUGH_DATA) return ready();
-    video.addEventListener("canplaythrough", () => ready(), { once: true });
+    if (video.readyState >= (isHere ? HTMLMediaElement.HAVE_FUTURE_DATA : HTMLMediaElement.HAVE_ENOUGH_DATA)) return ready();
+    video.addEventListener(isHere ? "canplay" : "canplaythrough", () => ready(), { once: true });
     video.addEventListener("error", () => failed(new Error(video.error?.message ?? "no video")),
       { once: true });
   });

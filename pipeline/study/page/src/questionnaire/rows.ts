@@ -70,6 +70,7 @@ function rowsOf(
       pixel_ratio: numberText(record.pixel_ratio),
       shown_cm: numberText(record.shown_cm),
       shown_degrees: numberText(record.shown_degrees),
+      viewing_cm: numberText(record.viewing_cm),
       comment: index === 0 ? tableText(record.comment) : "",
       seed: String(session.seed),
       design: experiment.design,

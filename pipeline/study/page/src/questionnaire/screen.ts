@@ -17,12 +17,30 @@ export interface Screen {
 
 /** What a screen tells while it plays. */
 export interface ScreenEvents {
-  began(): void;
+  /** A first frame is on the screen since that moment (performance.now()). */
+  began(at: number): void;
   stalled(): void;
   wentOn(): void;
   ended(): void;
   /** The volume of what is heard was changed: 0 (muted) to 1. */
   volumeChanged(volume: number): void;
+}
+
+/** A first frame that is told later than this after the beginning was on the screen before. WebKit tells it late, or
+    never. */
+const latestFrameMs = 200;
+
+/** Calls back once with the moment at which a video that has begun to play shows its first frame. */
+function firstFrame(video: HTMLVideoElement, shown: (at: number) => void): void {
+  const playing = performance.now();
+  let isTold = false;
+  const tell = (at: number) => {
+    if (!isTold) shown(at);
+    isTold = true;
+  };
+  if (!video.requestVideoFrameCallback) return tell(playing);
+  video.requestVideoFrameCallback((now) => tell(now - playing > latestFrameMs ? playing : now));
+  setTimeout(() => tell(playing), latestFrameMs);
 }
 
 function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
@@ -37,9 +55,7 @@ function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
     if (state === "still") return;
     state = "running";
     told.wentOn();
-    // The moment at which a first frame is on the screen, where the browser tells it.
-    if (video.requestVideoFrameCallback) video.requestVideoFrameCallback(() => told.began());
-    else told.began();
+    firstFrame(video, (at) => told.began(at));
   });
   // The last frames may be waited for as well, on no account of the network.
   const isOver = () => video.ended || video.duration - video.currentTime < 0.1;

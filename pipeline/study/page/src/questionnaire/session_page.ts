@@ -1,6 +1,7 @@
 // What the pages of all experiments begin and end with.
 
 import { forgetAttempt } from "./attempts";
+import { forgetDistance } from "./blind_spot";
 import { button, element } from "./elements";
 import type { Destination, Recruitment, SessionEnd } from "./experiment";
 import type { SavedFile } from "./files";
@@ -84,6 +85,7 @@ export function mayWithdraw(experiment: Frame, store: WithdrawnFrom, texts: Text
   offerWithdrawal(texts, () => store.withdraw!(), (told) => {
     forgetParameters(experiment, store.name);
     forgetAttempt(experiment, store.name);
+    forgetDistance(store.name);
     forgetJoined(experiment, base());
     const { recruitment } = experiment;
     const destination = told ?? (recruitment && destinationOf(recruitment, "withdrawn"));

@@ -139,7 +139,7 @@ export class Stage {
     const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right,
       member: String(this.screens.length + 1) }[role];
     const events: ScreenEvents = {
-      began: () => this.began(),
+      began: (at) => this.began(at),
       stalled: () => this.stalled(),
       wentOn: () => this.wentOn(),
       ended: () => this.ended(),
@@ -210,9 +210,9 @@ export class Stage {
     this.watchDog = window.setTimeout(() => this.offerRestart(), patienceMs);
   }
 
-  private began(): void {
+  private began(at: number): void {
     if (this.firstStart !== null) return;
-    this.firstStart = this.now();
+    this.firstStart = at - this.beganAt;
     this.told.began();
   }
 

@@ -39,6 +39,14 @@ function questionOf(asked: Demographic, texts: Texts): Question {
       root.append(element("div", { class: "line" }, input, element("label", { for: input.id }, text)));
       return input;
     });
+    // Number keys choose here as they do in trials.
+    root.addEventListener("keydown", (event) => {
+      const chosen = /^[1-9]$/.test(event.key) ? inputs[Number(event.key) - 1] : undefined;
+      if (!chosen || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      chosen.focus();
+      chosen.click();
+    });
     root.append(error);
     return {
       id: asked.id, root, focus: () => inputs[0]?.focus(),

@@ -89,7 +89,7 @@ class TurnScreen implements Screen {
     this.frames += 1;
     this.mixer.update(seconds);
     this.draw();
-    if (this.frames === 1) this.told.began();
+    if (this.frames === 1) this.told.began(now);
     requestAnimationFrame(this.step);
   };
 

@@ -90,7 +90,7 @@ async function passText(page, byKeys, age) {
   if (byKeys && await number.count()) {
     await page.keyboard.type("31");
     await page.keyboard.press("Tab");
-    await page.keyboard.press("Space");
+    await page.keyboard.press("2");
   } else if (!byKeys) {
     if (await number.count()) await number.fill(age);
     if (await choice.count()) await choice.check();

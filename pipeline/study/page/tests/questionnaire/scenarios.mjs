@@ -6,8 +6,10 @@ import { basename, join, resolve } from "node:path";
 import { createRequire } from "node:module";
 import { filesOf, filesOfZip, serve } from "../http_server.mjs";
 import { savedAll } from "./pages.mjs";
+import { jatosScript } from "./jatos_script.mjs";
 import { desktop, opener, phone, withFiles } from "./opened.mjs";
 import { openBrowser, take } from "./participant.mjs";
+import { countTonesOf, hearTones } from "./tones.mjs";
 
 const [name, given] = process.argv.slice(2);
 const folder = resolve(given);
@@ -153,32 +155,6 @@ async function accessibility(how = desktop) {
 
 /** As narrow as a phone, and not refused as one. */
 const narrowAccessibility = () => accessibility({ viewport: phone.viewport });
-
-/** In the place of JATOS's own script: what it keeps outlives a reload. */
-const jatosScript = `
-const kept = JSON.parse(sessionStorage.jatos ?? "{}");
-const keep = () => { sessionStorage.jatos = JSON.stringify(kept); };
-globalThis.jatos = {
-  urlQueryParameters: {},
-  workerId: 7,
-  batchId: 3,
-  studyResultId: 12,
-  studySessionData: kept.session ?? {},
-  onLoad: (ready) => setTimeout(ready, 20),
-  batchSession: {
-    get: (name) => (kept.batch ?? { mien_taken: { p001: 1, p003: 1 } })[name],
-    set: async (name, value) => {
-      if (!kept.refused) { kept.refused = true; keep(); throw new Error("an old state"); }
-      kept.batch = { [name]: value }; keep();
-    },
-  },
-  setStudySessionData: async (value) => { kept.session = value; keep(); },
-  submitResultData: async (text) => { kept.result = text; keep(); },
-  uploadResultFile: async (text, name) => { (kept.files ??= {})[name] = text; keep(); },
-  endStudy: async () => { kept.ended = true; keep(); },
-  abortStudyWithoutRedirect: async () => { kept.aborted = true; delete kept.result; keep(); },
-};
-`;
 
 /** As JATOS unpacks and shows it, with a reload on the way. */
 async function jatos() {
@@ -484,29 +460,6 @@ async function pairs() {
     return true;
   } });
   return withFiles(opened, { frames });
-}
-
-/** The numbers of tones that the page of a session plays, as it plays them. */
-async function countTonesOf(page) {
-  await page.addInitScript(() => {
-    globalThis.tonesPlayed = 0;
-    const start = OscillatorNode.prototype.start;
-    OscillatorNode.prototype.start = function (...given) {
-      globalThis.tonesPlayed += 1;
-      return start.apply(this, given);
-    };
-  });
-}
-
-/** Plays the tones by keys alone; returns how many they were. */
-async function hearTones(page) {
-  await page.waitForFunction(() => document.querySelector("#tones"));
-  await page.evaluate(() => { globalThis.tonesPlayed = 0; });
-  const isDisabled = await page.locator("#tones").isDisabled();
-  await page.keyboard.press("Tab");
-  await page.keyboard.press("Enter");
-  await page.waitForFunction(() => document.activeElement?.id === "tones", null, { timeout: 20000 });
-  return { count: await page.evaluate(() => globalThis.tonesPlayed), isDisabled };
 }
 
 /**
