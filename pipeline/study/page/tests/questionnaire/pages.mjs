@@ -22,6 +22,7 @@ export const isPast = (page, trial, before) => page.waitForFunction(([name, old]
 }, [trial, before], { timeout: 60000 });
 
 const reading = new Set();
+let isOver = false;
 
 /** Until the files that pages have begun to save are read, or 10 seconds have passed: a browser that is closed
  *  before that fails where no caller can catch it. */
@@ -30,6 +31,7 @@ export async function savedAll() {
   const late = new Promise((done) => { timer = setTimeout(done, 10000); });
   await Promise.race([Promise.allSettled([...reading]), late]);
   clearTimeout(timer);
+  isOver = true;
 }
 
 /** Texts of the files that the page saves, by the names of `kinds` that theirs hold. What the browser has not
@@ -41,7 +43,7 @@ export function savedTexts(page, kinds) {
     try {
       for await (const part of await download.createReadStream()) text += part;
     } catch (error) {
-      if (page.isClosed()) return;
+      if (isOver || page.isClosed()) return;
       throw error;
     }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
