@@ -31,7 +31,7 @@ ItemResponse read_response(const nlohmann::json& text) {
 }
 
 /// More stimuli than any trial shows.
-constexpr std::size_t most_media = 8;
+constexpr std::size_t most_media = 16;
 
 std::vector<std::string> read_hashes(const nlohmann::json* list) {
   std::vector<std::string> hashes;
@@ -117,6 +117,7 @@ void add_response(const QuestionnaireFacts& facts, const SessionPlan& plan, cons
   }
   const auto asked = std::ranges::find(trial.items, response.item, &TrialItem::item);
   trial.kind->complete(question_of(facts, plan, trial, *asked), row);
+  row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
 }
 
 }  // namespace

@@ -24,20 +24,20 @@ function rowsOf(
   const expected = trial.expected ?? "";
   return record.responses.map((response, index) => {
     const raw = tableText(String(response.value_raw));
-    const { value, pole_left } = kind.meaning(trial, response, raw, experiment, stimulus);
+    const means = kind.meaning(trial, response, raw, experiment, stimulus);
     return {
       participant: session.participant,
       session: record.session,
       trial: String(trial.number),
       block: trial.block,
       kind: trial.kind,
-      stimulus: stimulus(shown),
-      stimulus_sha256: record.media_sha256?.[0] ?? "",
-      against: others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference),
-      item: response.item,
+      stimulus: means.stimulus ?? stimulus(shown),
+      stimulus_sha256: record.media_sha256?.[means.shown ?? 0] ?? "",
+      against: means.against ?? (others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference)),
+      item: means.item ?? response.item,
       value_raw: raw,
-      value,
-      pole_left,
+      value: means.value,
+      pole_left: means.pole_left,
       rt_ms: numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),

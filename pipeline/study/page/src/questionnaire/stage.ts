@@ -24,6 +24,19 @@ export interface Seen {
   volume_events: string;
 }
 
+/** What shows the stimuli of a trial. */
+export interface TrialStage {
+  root: HTMLElement;
+  /** From the beginning, if that is allowed now. */
+  play(): void;
+  /** Focuses what begins to play. */
+  focus(): void;
+  /** The size of the first of the stimuli. */
+  shownSize(): ShownSize;
+  seen(): Seen;
+  release(): void;
+}
+
 /** More changes of the volume than these are not kept. */
 const mostVolumeEvents = 50;
 
@@ -33,6 +46,9 @@ const patienceMs = 6000;
 const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d",
   member: "#3d3d3d" };
 
+/** Of a figure that is turned. */
+export const stageColour = (role: ShownMedia["role"]): string => colours[role];
+
 /** Between two stimuli that are shown one after the other (questionnaire/session_duration.cpp). */
 const betweenMs = 500;
 
@@ -40,7 +56,7 @@ const betweenMs = 500;
  * One stimulus, several beside each other, or two one after the other, covered until they are played and after they have
  * ended. Those beside each other begin together. They have been seen when the last has ended.
  */
-export class Stage {
+export class Stage implements TrialStage {
   readonly root: HTMLElement;
   private screens: Screen[] = [];
   private cover: HTMLElement;
@@ -108,7 +124,6 @@ export class Stage {
     return frame;
   }
 
-  /** The size of the first of the stimuli. */
   shownSize(): ShownSize {
     return shownSize(this.settings.display, this.screens[0]!.element);
   }
@@ -123,7 +138,6 @@ export class Stage {
     return typeof replays === "number" && this.plays <= replays;
   }
 
-  /** From the beginning, if that is allowed now. */
   play(): void {
     if (!this.canPlay()) return;
     this.plays += 1;
