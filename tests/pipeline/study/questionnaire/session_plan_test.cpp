@@ -325,6 +325,7 @@ TEST(SessionPlan, OfAGridHasEachSetInAnOrderOfItsOwnBesideItsReference) {
     }
     EXPECT_EQ(seen, (std::set<std::string>{"a1", "b2", "c3"}));
   }
+  EXPECT_TRUE(balance_of(manifest, plan_sessions(manifest)).flipped.empty());
   // 40 participants, three sets, and one of them a second time: each stimulus about 13 times in
   // each place; the 99.9 % limits of a binomial count.
   EXPECT_GT(orders.size(), 50u);

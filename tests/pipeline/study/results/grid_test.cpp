@@ -180,6 +180,11 @@ TEST(GridAnswers, AreAnalysedByTheFactorsOfTheDesign) {
   const FactorEffects effects = factor_effects(answers, {});
   ASSERT_EQ(effects.crossing.factors.size(), 1u);
   EXPECT_EQ(effects.crossing.cells.size(), 4u);
+  ASSERT_EQ(effects.scales.size(), 1u);
+  EXPECT_EQ(effects.scales[0].people, 12);
+  ASSERT_EQ(effects.scales[0].cells.size(), 4u);
+  for (const FactorCell& cell : effects.scales[0].cells)
+    EXPECT_NEAR(cell.mean, cell.cell == 0 ? 100.0 : clear_means.at(made_levels[cell.cell]), 7.0);
 }
 
 TEST(GridAnswers, GoFromZeroToOneHundredWhateverTheRangeOfTheScale) {
@@ -193,6 +198,10 @@ TEST(GridAnswers, GoFromZeroToOneHundredWhateverTheRangeOfTheScale) {
     EXPECT_EQ(row.against.substr(row.against.rfind('-')),
               row.stimulus.substr(row.stimulus.rfind('-')));
   }
+  const AnswerSet answers = collect_answers(manifest, rows);
+  EXPECT_EQ(answers.ratings.size(), rows.size());
+  EXPECT_EQ(answers.scales[0].least, 0.0);
+  EXPECT_EQ(answers.scales[0].most, 100.0);
   auto wrong = rows;
   wrong[0].value = wrong[0].value_raw = "101";
   EXPECT_THROW(collect_answers(manifest, wrong), Faults);
