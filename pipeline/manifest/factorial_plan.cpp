@@ -88,8 +88,9 @@ std::string weights_text(const PlannedContrast& contrast) {
 }
 
 AnalysedAnswers analysed_answers(const Manifest& manifest) {
-  return questionnaire_of(manifest).trials->stimuli > 1 ? AnalysedAnswers::choices
-                                                        : AnalysedAnswers::ratings;
+  const TrialForm& form = *questionnaire_of(manifest).trials;
+  return form.stimuli > 1 && !form.is_on_scale ? AnalysedAnswers::choices
+                                               : AnalysedAnswers::ratings;
 }
 
 std::string factorial_plan_text(const FactorialPlan& plan, AnalysedAnswers answers) {

@@ -1,8 +1,11 @@
 #include "pipeline/manifest/quality_rules.h"
 
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "pipeline/manifest/questionnaire_grid.h"
 
 namespace mien::pipeline {
 
@@ -10,6 +13,22 @@ namespace {
 
 std::string bound_text(const std::optional<int>& bound) { return fmt::format("{}", *bound); }
 std::string bound_text(const std::optional<double>& bound) { return fmt::format("{}", *bound); }
+
+std::vector<StatedRule> post_screening_rules(const Questionnaire& asked) {
+  std::vector<StatedRule> stated;
+  if (!asked.trials->is_grid) return stated;
+  const std::string bound =
+      fmt::format("{:g}, {:.0f} %", post_screening_rating, 100.0 * post_screening_share);
+  const auto add = [&](QualityRule rule, const char* what) {
+    stated.push_back({rule, bound,
+                      fmt::format("participants who rated the {} {:g} in more than {:.0f} % of the "
+                                  "trials",
+                                  what, post_screening_rating, 100.0 * post_screening_share)});
+  };
+  if (is_stated(asked.grid.reference)) add(QualityRule::hidden_reference, "hidden reference below");
+  if (is_stated(asked.grid.anchor)) add(QualityRule::anchor, "anchor above");
+  return stated;
+}
 
 std::string flagged_text(const std::vector<StatedRule>& stated) {
   std::string text;
@@ -42,11 +61,27 @@ std::vector<StatedRule> stated_rules(const QualityRules& rules) {
   return stated;
 }
 
+std::vector<StatedRule> stated_rules(const Questionnaire& asked) {
+  std::vector<StatedRule> stated = stated_rules(asked.analysis.quality);
+  for (StatedRule& rule : post_screening_rules(asked)) stated.push_back(std::move(rule));
+  return stated;
+}
+
+bool is_excluding(QualityRule rule, const QualityRules& rules) {
+  if (rule == QualityRule::max_failed_checks) return true;
+  const bool is_post_screening =
+      rule == QualityRule::hidden_reference || rule == QualityRule::anchor;
+  return (is_post_screening ? rules.post_screening : rules.flagged) == FlaggedAnswers::excluded;
+}
+
 bool has_no_rules(const QualityRules& rules) { return stated_rules(rules).empty(); }
 
-std::string quality_plan(const QualityRules& rules) {
+std::string quality_plan(const Questionnaire& asked) {
+  const QualityRules& rules = asked.analysis.quality;
   const std::vector<StatedRule> stated = stated_rules(rules);
-  if (stated.empty()) return "";
+  const std::string screening = post_screening_sentence(asked);
+  const std::string end = screening.empty() ? "" : screening + ".\n";
+  if (stated.empty()) return end;
   std::string text = "Quality rules, stated before the data are collected. Flagged are:\n";
   for (const StatedRule& one : stated)
     text += fmt::format("- {} ({}: {})\n", one.flagged, word_of(quality_rule_words, one.rule),
@@ -54,11 +89,13 @@ std::string quality_plan(const QualityRules& rules) {
   text +=
       "Answers in practice and warm-up, to attention checks and to repeated stimuli are not "
       "considered.\n";
-  return text + (rules.flagged == FlaggedAnswers::excluded
-                     ? "Flagged answers, and all answers of flagged participants, are left out of "
-                       "the analysis. The data are kept, with the reasons.\n"
-                     : "The analysis uses flagged answers and participants, too. The report lists "
-                       "them with the reasons.\n");
+  return text +
+         (rules.flagged == FlaggedAnswers::excluded
+              ? "Flagged answers, and all answers of flagged participants, are left out of "
+                "the analysis. The data are kept, with the reasons.\n"
+              : "The analysis uses flagged answers and participants, too. The report lists "
+                "them with the reasons.\n") +
+         end;
 }
 
 std::string quality_sentence(const QualityRules& rules) {
@@ -69,6 +106,15 @@ std::string quality_sentence(const QualityRules& rules) {
               ? "flagged answers, and all answers of flagged participants, were left out of the "
                 "analysis"
               : "they were reported, but not left out of the analysis");
+}
+
+std::string post_screening_sentence(const Questionnaire& asked) {
+  const std::vector<StatedRule> stated = post_screening_rules(asked);
+  if (stated.empty()) return "";
+  return "Post-screening (ITU-R BS.1534-3): " + flagged_text(stated) + " are flagged and " +
+         (asked.analysis.quality.post_screening == FlaggedAnswers::excluded
+              ? "left out of the analysis"
+              : "reported, but not left out of the analysis");
 }
 
 }  // namespace mien::pipeline

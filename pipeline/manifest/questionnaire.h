@@ -7,6 +7,7 @@
 
 #include "pipeline/base/documents/concerns.h"
 #include "pipeline/manifest/factorial_plan.h"
+#include "pipeline/manifest/grid.h"
 #include "pipeline/manifest/questionnaire_forms.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/manifest/recruitment.h"
@@ -166,6 +167,8 @@ struct QualityRules {
   std::optional<double> min_sd;       ///< participants whose raw answers vary less
   std::string repeated_by;            ///< URL parameter: later sessions with the same value
   FlaggedAnswers flagged = FlaggedAnswers::excluded;  ///< whether the analysis uses what is flagged
+  /// Whether the analysis uses participants whom the post-screening of grid trials flags.
+  FlaggedAnswers post_screening = FlaggedAnswers::kept;
 };
 
 void fields_of(auto&& field, MaybeConst<QualityRules> auto& rules) {
@@ -176,6 +179,7 @@ void fields_of(auto&& field, MaybeConst<QualityRules> auto& rules) {
   field("min_sd", rules.min_sd, concerns::nothing);
   field("repeated_by", rules.repeated_by, concerns::nothing);
   field("flagged", rules.flagged, concerns::nothing, flagged_answers_words);
+  field("post_screening", rules.post_screening, concerns::nothing, flagged_answers_words);
 }
 
 /// The preregistered analysis plan.
@@ -223,6 +227,7 @@ struct Questionnaire {
   PreferenceSettings preference;         ///< only for forms with two stimuli
   SameDifferentSettings same_different;  ///< only for same–different trials
   BestWorstSettings best_worst;          ///< only for best–worst trials
+  GridSettings grid;                     ///< only for grid trials
   StimulusChoice signal;  ///< of detection (yes_no, two_interval): the stimuli with the signal
   AnswerSettings answer;
   TrialOrder order;
@@ -265,6 +270,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("preference", questionnaire.preference, concerns::nothing);
   field("same_different", questionnaire.same_different, concerns::nothing);
   field("best_worst", questionnaire.best_worst, concerns::nothing);
+  field("grid", questionnaire.grid, concerns::nothing);
   field.by("signal", questionnaire.signal, concerns::nothing, StimulusChoiceForm());
   field("answer", questionnaire.answer, concerns::nothing);
   field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
 
@@ -67,7 +68,9 @@ ScaleSet scales_to_choose(const Manifest& manifest) {
   return scales;
 }
 
-ScaleSet questionnaire_scales(const Manifest& manifest) {
+namespace {
+
+ScaleSet chosen_scales(const Manifest& manifest) {
   const ScaleChoice& choice = questionnaire_of(manifest).scales;
   if (choice.emotions) return emotion_scales();
   if (choice.all) return choice.file.empty() ? scales_of(manifest.scales) : choice.own;
@@ -80,9 +83,31 @@ ScaleSet questionnaire_scales(const Manifest& manifest) {
   return asked;
 }
 
+}  // namespace
+
+ScaleSet questionnaire_scales(const Manifest& manifest) {
+  ScaleSet scales = chosen_scales(manifest);
+  if (!questionnaire_of(manifest).trials->is_grid) return scales;
+  for (Scale& scale : scales.scales) {
+    scale.least = 0.0;
+    scale.most = 100.0;
+  }
+  return scales;
+}
+
+bool has_sliders(const Questionnaire& asked) {
+  return asked.answer.slider || asked.trials->is_on_slider;
+}
+
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest) {
   const StimulusChoice& choice = questionnaire_of(manifest).stimuli;
   if (!choice.ids.empty()) return choice.ids;
+  if (const Questionnaire& asked = questionnaire_of(manifest); asked.trials->is_grid) {
+    std::vector<std::string> listed;
+    for (const std::vector<std::string>& set : asked.grid.sets)
+      std::ranges::copy(set, std::back_inserter(listed));
+    if (!listed.empty()) return listed;
+  }
   std::vector<std::string> ids;
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (!stimulus.id.empty() && is_chosen(stimulus, choice)) ids.push_back(stimulus.id);
@@ -99,6 +124,10 @@ std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& man
     return subjects;
   }
   if (asked.trials->is_set) return subjects;
+  if (asked.trials->is_grid) {
+    for (const GridSet& set : grid_sets(manifest)) subjects.push_back(set.stimuli);
+    return subjects;
+  }
   subjects = different_pairs(manifest);
   if (asked.trials == &same_different_form) {
     const auto same = same_pairs(manifest, subjects);
@@ -108,6 +137,7 @@ std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& man
 }
 
 std::size_t stimuli_per_trial(const Questionnaire& asked) {
+  if (asked.trials->is_grid) return 0;
   return asked.trials->is_set ? static_cast<std::size_t>(asked.best_worst.size)
                               : asked.trials->stimuli;
 }

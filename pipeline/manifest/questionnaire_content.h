@@ -30,11 +30,14 @@ std::string title_of(const Manifest& manifest);
 ScaleSet scales_to_choose(const Manifest& manifest);
 
 /// Returns the scales of the questionnaire, in the order in which they are asked. Unknown ids are
-/// omitted (the checks report them).
+/// omitted (the checks report them). In grid trials, all scales range from 0 to 100.
 ScaleSet questionnaire_scales(const Manifest& manifest);
 
-/// Returns the ids of the rated stimuli, in the order in which the questionnaire names them or, if
-/// it does not name stimuli, in that of the manifest.
+/// Returns whether scales are answered on sliders.
+bool has_sliders(const Questionnaire& asked);
+
+/// Returns the ids of the rated stimuli, in the order in which the questionnaire names them (also
+/// in sets of grid trials) or, if it does not name stimuli, in that of the manifest.
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest);
 
 /// Returns whether a choice of stimuli includes one.
@@ -42,11 +45,12 @@ bool is_chosen(const Stimulus& stimulus, const StimulusChoice& choice);
 
 /// Returns what trials can show: one stimulus each, in the order of questionnaire_stimuli, or the
 /// pairs of two different stimuli (different_pairs), followed in same–different trials by those of
-/// a stimulus with itself (same_pairs), of which several are equal. None of sets: the study makes
-/// them (trial_subjects.h).
+/// a stimulus with itself (same_pairs), of which several are equal, or the sets of grid trials
+/// (grid_sets). None of sets for best–worst trials: the study makes them (trial_subjects.h).
 std::vector<std::vector<std::string>> questionnaire_subjects(const Manifest& manifest);
 
-/// Returns the number of stimuli that a trial shows, apart from a reference.
+/// Returns the number of stimuli that a trial shows, apart from a reference; 0 if it varies (grid
+/// trials).
 std::size_t stimuli_per_trial(const Questionnaire& asked);
 
 /// Returns the number of what trials can show, sets included.

@@ -396,6 +396,54 @@ TEST_F(QuestionnairePage, AsksForDifferencesSignalsAndTheBestByKeysAlone) {
   EXPECT_EQ(set.at("chosen").at(2), (json{"free", "free", "free"}));
 }
 
+TEST_F(QuestionnairePage, RatesTheVideosOfAGridAndSaysWhatIsMissing) {
+  std::string text = study_of_trials(
+      "  trials: grid\n  scales: [sad-happy]\n  grid: {sets: [[usual, sad, proud]], reference: "
+      "[usual]}\n");
+  for (const char* line : {"  warm_up: 1\n", "  attention: {every: 2}\n"})
+    text.erase(text.find(line), std::string(line).size());
+  const fs::path manifest = scratch->write("grid.yaml", text);
+  const fs::path there = scratch->path() / "grid";
+  must_run(mien_with({"study", "export", manifest.string(), "--out",
+                      (scratch->path() / "out-grid").string(), "-o", there.string()}));
+  const json experiment = json::parse(text_of(there / "experiment.json"));
+  const json trial = experiment.at("sessions").at(0).at("trials").at(0);
+  EXPECT_EQ(trial.at("media").size(), 3u);
+  EXPECT_EQ(experiment.at("stimuli").at(trial.at("reference").get<std::string>()), "usual");
+  const json told = played("grid", there);
+  EXPECT_EQ(told.at("troubles"), json::array());
+  EXPECT_EQ(told.at("covered"), (json{false, false, false, false}));
+  EXPECT_EQ(told.at("notes"),
+            (json{"The reference is still to be played. Videos still to be played: 1, 2, 3. "
+                  "Sliders still to be moved: 1, 2, 3.",
+                  "Videos still to be played: 1, 2, 3. Sliders still to be moved: 1, 2, 3.",
+                  "Videos still to be played: 1, 3. Sliders still to be moved: 1, 2, 3.",
+                  "Videos still to be played: 1. Sliders still to be moved: 1, 2."}));
+  // The reference comes first, and then the videos of the three places.
+  const json& during = told.at("during");
+  EXPECT_EQ(std::count(during.begin(), during.end(), true), 1) << during;
+  EXPECT_TRUE(told.at("isStopped"));
+  EXPECT_EQ(told.at("values"), (json{"0", "49", "100"}));
+  const json taken = played("keys", there);
+  EXPECT_EQ(taken.at("troubles"), json::array());
+  const auto rows = rows_in(taken.at("answers").get<std::string>());
+  ASSERT_EQ(rows.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string shown = trial.at("media").at(i);
+    EXPECT_EQ(rows[i].at("stimulus"), experiment.at("stimuli").at(shown));
+    EXPECT_EQ(rows[i].at("stimulus_sha256"), experiment.at("media").at(shown).at("sha256"));
+    EXPECT_EQ(rows[i].at("against"), "usual");
+    EXPECT_EQ(rows[i].at("item"), "sad-happy");
+    EXPECT_EQ(rows[i].at("value"), std::to_string(51 + i));
+    EXPECT_EQ(rows[i].at("kind"), "grid");
+  }
+  std::ofstream(there / "answers.csv") << taken.at("answers").get<std::string>();
+  must_run(mien_with({"study", "report", (there / "answers.csv").string(), manifest.string(), "-o",
+                      (scratch->path() / "grid-report").string()}));
+  EXPECT_EQ(rows_in(text_of(scratch->path() / "grid-report/results/grid.csv")).size(), 3u);
+  EXPECT_EQ(played("accessibility", there).at("faults"), json::array());
+}
+
 TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   const fs::path told = scratch->path() / "serving.txt";
   const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", told.string(),

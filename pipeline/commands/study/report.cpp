@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -133,6 +134,14 @@ std::vector<std::string> excluded_sentences(const Results& results) {
   return sentences;
 }
 
+/// What the analysis does with what the rules flag, whose counts are followed by those of all.
+const char* consequence_of(const std::vector<RuleCount>& counts) {
+  const auto rules = std::span(counts).subspan(1, counts.size() - 2);  // without attention checks
+  const auto excluded = std::ranges::count_if(rules, &RuleCount::is_excluded);
+  if (excluded == std::ssize(rules)) return "excluded";
+  return excluded == 0 ? "included" : "excluded or included, as the report states";
+}
+
 void print_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
                    const Console& console) {
   const AnswerSet& answer_set = results.answer_set;
@@ -148,7 +157,7 @@ void print_results(const Results& results, const FrozenVerdict& frozen, const fs
         "quality rules flag {} of {}: {}\n",
         counted_noun(static_cast<std::size_t>(all.answers), "answer", "answers"),
         counted_noun(static_cast<std::size_t>(all.participants), "participant", "participants"),
-        all.is_excluded ? "excluded" : "included");
+        consequence_of(results.rule_counts));
   }
   if (!frozen.sentence.empty()) console.out << frozen.sentence << '\n';
   for (const std::string& difference : frozen.differences)

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,21 @@ struct SimulateCommand {
   std::uint64_t seed = 0;
   int participants = 0;
   SimulatedParticipants people;
+  std::optional<double> participant_sd, residual_sd;
 };
+
+/// Standard deviations of the answers of simulated participants unless stated otherwise, in scale
+/// units; the same share of the range, 0 to 100, in grid trials.
+constexpr RatingSpread usual_spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
+constexpr RatingSpread grid_spread = {.participant = 7.5, .stimulus = 0.0, .residual = 17.5};
+
+SimulatedParticipants people_of(const SimulateCommand& command, const Manifest& manifest) {
+  SimulatedParticipants people = command.people;
+  people.spread = questionnaire_of(manifest).trials->is_grid ? grid_spread : usual_spread;
+  if (command.participant_sd) people.spread.participant = *command.participant_sd;
+  if (command.residual_sd) people.spread.residual = *command.residual_sd;
+  return people;
+}
 
 /// Input files of the simulation, which must not be overwritten.
 std::vector<fs::path> files_simulated_from(const SimulateCommand& command,
@@ -94,8 +109,8 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
   const Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching) return simulate_matched(command, manifest, console);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
-  const std::vector<AnswerRow> rows =
-      simulated_sessions(manifest, plans, truth_of(command, manifest), command.people);
+  const std::vector<AnswerRow> rows = simulated_sessions(
+      manifest, plans, truth_of(command, manifest), people_of(command, manifest));
   return put_answers(command, manifest, to_csv(rows),
                      fmt::format("{} simulated participants, {} rows", plans.size(), rows.size()),
                      console);
@@ -117,17 +132,17 @@ std::vector<CommandOption> simulation_options(SimulateCommand& options) {
           option("--participants", &options.participants,
                  "Number of participants (default: as in the manifest)")
               .between(1, 10000),
-          option("--participant-sd", &options.people.spread.participant,
+          option("--participant-sd", &options.participant_sd,
                  "Standard deviation of participants' response bias, in scale units (most scales "
-                 "go from -2 to 2)")
+                 "go from -2 to 2, those of grid trials from 0 to 100)")
               .formerly("--lean")
               .between(0.0, 1000.0)
-              .with_default(),
-          option("--residual-sd", &options.people.spread.residual,
+              .with_default("0.3, in grid trials 7.5"),
+          option("--residual-sd", &options.residual_sd,
                  "Residual standard deviation of an answer, in scale units")
               .formerly("--residual")
               .between(0.0, 1000.0)
-              .with_default(),
+              .with_default("0.7, in grid trials 17.5"),
           option("--attentive", &options.people.attention_pass_rate,
                  "Proportion of attention checks passed")
               .between(0.0, 1.0)

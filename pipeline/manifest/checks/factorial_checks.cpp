@@ -49,7 +49,7 @@ class FactorialCheck {
  private:
   void check_trials() {
     const bool has_words = asked_.answer.words;
-    if (asked_.trials->is_on_scale && asked_.trials->stimuli == 1 && !has_words) return;
+    if (asked_.trials->is_on_scale && !has_words) return;
     const bool are_pairs = asked_.trials == &pair_form;
     for (const char* key : {"factors", "between", "contrasts", "random_slopes"}) {
       const std::string path = member_path(analysis_path, key);

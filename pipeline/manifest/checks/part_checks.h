@@ -76,6 +76,10 @@ std::vector<Fault> check_languages(const Manifest& manifest);
 /// questionnaire.
 std::vector<Fault> check_trial_form(const Manifest& manifest);
 
+/// Returns faults of grid trials: unknown, missing or unsuitable sets of stimuli, references and
+/// anchors, and keys that do not suit them.
+std::vector<Fault> check_grid(const Manifest& manifest);
+
 /// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
@@ -107,6 +111,10 @@ std::vector<Fault> quality_warnings(const Manifest& manifest);
 /// The number of trials of a session whose answers are analysed, if it is completed. The manifest
 /// must have a questionnaire.
 int analysed_trials(const Manifest& manifest);
+
+/// The number of stimuli or pairs that are judged in these trials; in grid trials, that of the
+/// largest sets.
+int rated_stimuli_of_session(const Manifest& manifest);
 
 /// Returns warnings about valid but probably unintended settings of a questionnaire: attention
 /// checks that can exclude no participant or that never occur, sounds without a test of sound, and

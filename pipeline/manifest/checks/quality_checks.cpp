@@ -10,6 +10,7 @@
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/recruitment.h"
 
 namespace mien::pipeline {
@@ -24,12 +25,13 @@ std::string rule_path(const char* rule) {
 int answers_on_scales(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
   if (asked.answer.words || !asked.trials->is_on_scale) return 0;
-  return analysed_trials(manifest) * static_cast<int>(questionnaire_scales(manifest).scales.size());
+  return rated_stimuli_of_session(manifest) *
+         static_cast<int>(questionnaire_scales(manifest).scales.size());
 }
 
 /// The largest standard deviation (n − 1) of so many raw answers: half of them at each end.
-double largest_deviation(const AnswerSettings& answer, int answers) {
-  const double range = answer.slider ? 100.0 : answer.points - 1.0;
+double largest_deviation(const Questionnaire& asked, int answers) {
+  const double range = has_sliders(asked) ? 100.0 : asked.answer.points - 1.0;
   const int at_left = answers / 2;
   return range * std::sqrt(1.0 * at_left * (answers - at_left) / (answers * (answers - 1.0)));
 }
@@ -56,15 +58,19 @@ void warn_of_bounds(const Questionnaire& asked, int answers, FaultList& list) {
              answers < 2 ? "flags nobody: a session has only one answer on a scale"
                          : "flags nobody: no standard deviation is below 0",
              "omit the rule");
-  const double most = largest_deviation(asked.answer, answers);
+  const double most = largest_deviation(asked, answers);
   if (answers > 1 && *rules.min_sd > most)
     list.add(rule_path("min_sd"),
              fmt::format("flags everybody: {} raw answers from {} to {} have a standard deviation "
                          "of at most {:g}",
-                         answers, asked.answer.slider ? 0 : 1,
-                         asked.answer.slider ? 100 : asked.answer.points,
+                         answers, has_sliders(asked) ? 0 : 1,
+                         has_sliders(asked) ? 100 : asked.answer.points,
                          std::floor(most * 100.0) / 100.0),
              "use a smaller number");
+}
+
+bool has_post_screening(const Questionnaire& asked) {
+  return asked.trials->is_grid && (is_stated(asked.grid.reference) || is_stated(asked.grid.anchor));
 }
 
 }  // namespace
@@ -91,6 +97,10 @@ std::vector<Fault> check_quality(const Manifest& manifest) {
   if (rules.min_rt_ms && rules.max_rt_ms && *rules.min_rt_ms >= *rules.max_rt_ms)
     list.add(rule_path("min_rt_ms"), fmt::format("is not below max_rt_ms: {}", *rules.max_rt_ms),
              "exchange them");
+  if (list.was_given(rule_path("post_screening")) && !has_post_screening(questionnaire))
+    list.add_at_key(rule_path("post_screening"),
+                    "the questionnaire has no grid trials with a reference or an anchor",
+                    "omit it");
   if (rules.repeated_by.empty()) return list.take();
   const std::vector<std::string> kept = kept_parameters(questionnaire.recruitment);
   if (std::ranges::find(kept, rules.repeated_by) == kept.end())

@@ -161,6 +161,8 @@ class QuestionnaireCheck {
     for (std::size_t i = 0; i < questionnaire_.pairs.size(); ++i)
       check_ids(element_path(at("pairs"), i), questionnaire_.pairs[i], "stimulus", ids_);
     check_choice(at("signal"), questionnaire_.signal);
+    check_choice(member_path(at("grid"), "reference"), questionnaire_.grid.reference);
+    check_choice(member_path(at("grid"), "anchor"), questionnaire_.grid.anchor);
     check_alike();
   }
 
@@ -197,7 +199,7 @@ class QuestionnaireCheck {
   /// Reports too many pairs: no participant would rate them all, and they would not fit in memory.
   bool are_too_many_pairs() {
     constexpr std::size_t most_pairs = 5000;
-    if (form_.stimuli == 1 || form_.is_set || !questionnaire_.pairs.empty()) return false;
+    if (form_.stimuli == 1 || form_.has_places() || !questionnaire_.pairs.empty()) return false;
     const Names ids = questionnaire_stimuli(manifest_);
     std::map<Names, std::size_t> counts;
     for (const std::string& id : ids) {
@@ -319,6 +321,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
   append(faults, check_trial_form(manifest));
+  append(faults, check_grid(manifest));
   append(faults, check_shown_videos(manifest));
   append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));

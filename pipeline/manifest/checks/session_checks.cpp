@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <string>
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 
 namespace mien::pipeline {
 
@@ -49,7 +52,8 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
 std::vector<Fault> practice_warnings(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
   FaultList list(manifest.places);
-  if (!asked.stimuli.ids.empty() || !asked.stimuli.levels.empty() || !asked.pairs.empty())
+  if (!asked.stimuli.ids.empty() || !asked.stimuli.levels.empty() || !asked.pairs.empty() ||
+      !asked.grid.sets.empty())
     return {};
   for (std::size_t i = 0; i < asked.practice.size(); ++i)
     list.add(element_path("questionnaire.practice", i),
@@ -66,7 +70,7 @@ std::vector<Fault> factorial_warnings(const Manifest& manifest) {
   const FactorialPlan& plan = asked.analysis.factorial;
   if (plan.factors.empty() || analysed_answers(manifest) != AnalysedAnswers::ratings) return {};
   const std::size_t cells = largest_crossing(design_table(manifest)).cells.size();
-  const auto own = static_cast<std::size_t>(analysed_trials(manifest));
+  const auto own = static_cast<std::size_t>(rated_stimuli_of_session(manifest));
   if (own >= cells) return {};
   FaultList list(manifest.places);
   list.add("questionnaire.analysis.factors",
@@ -102,6 +106,16 @@ int analysed_trials(const Manifest& manifest) {
   const int own = manifest.questionnaire->per_participant;
   const int all = static_cast<int>(questionnaire_subject_count(manifest));
   return own == 0 ? all : std::min(own, all);
+}
+
+int rated_stimuli_of_session(const Manifest& manifest) {
+  if (!manifest.questionnaire->trials->is_grid) return analysed_trials(manifest);
+  std::vector<int> sizes;
+  for (const GridSet& set : grid_sets(manifest))
+    sizes.push_back(static_cast<int>(set.stimuli.size()));
+  std::ranges::sort(sizes, std::ranges::greater{});
+  sizes.resize(static_cast<std::size_t>(analysed_trials(manifest)));
+  return std::accumulate(sizes.begin(), sizes.end(), 0);
 }
 
 std::vector<Fault> check_shown_videos(const Manifest& manifest) {

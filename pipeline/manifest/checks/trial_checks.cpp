@@ -41,7 +41,7 @@ class TrialFormCheck {
   /// Refuses keys of other forms.
   void check_keys() {
     for (const char* key :
-         {"choices", "pairs", "preference", "same_different", "signal", "best_worst"}) {
+         {"choices", "pairs", "preference", "same_different", "signal", "best_worst", "grid"}) {
       if (!was_given(key) || form_.has_key(key)) continue;
       std::vector<std::string_view> names;
       for (const auto& [name, form] : trial_form_words)
@@ -80,9 +80,10 @@ class TrialFormCheck {
     }
     if (form_.stimuli > 1 && !asked_.reference.empty())
       list_.add(path_of("reference"),
-                form_.is_set ? "the stimuli of a set are already compared"
-                             : "the two stimuli of a pair are already compared",
-                "omit it");
+                form_.is_grid  ? "each set of a grid has a reference of its own"
+                : form_.is_set ? "the stimuli of a set are already compared"
+                               : "the two stimuli of a pair are already compared",
+                form_.is_grid ? "name the references in grid: {reference: …}" : "omit it");
     if (!form_.is_on_scale && asked_.answer.words)
       list_.add(member_path(path_of("answer"), "words"),
                 form_.is_detection || form_.is_set ? "these trials are not answered in words"

@@ -161,8 +161,10 @@ void describe_factorial_plan(MethodsText& out) {
 
 void describe_quality_rules(MethodsText& out) {
   if (!out.manifest.questionnaire) return;
-  const std::string sentence = quality_sentence(out.manifest.questionnaire->analysis.quality);
-  if (!sentence.empty()) out.say(sentence);
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  for (const std::string& sentence :
+       {quality_sentence(asked.analysis.quality), post_screening_sentence(asked)})
+    if (!sentence.empty()) out.say(sentence);
 }
 
 }  // namespace mien::pipeline

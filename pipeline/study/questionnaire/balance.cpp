@@ -40,7 +40,7 @@ void count_session(const SessionPlan& plan, Balance& balance) {
     ++balance.position_counts[{subject, std::to_string(position)}];
     if (!before.empty()) ++balance.succession_counts[{before, subject}];
     for (const std::string& other : seen) ++balance.concurrence_counts[std::minmax(subject, other)];
-    if (trial.kind->form->is_set)
+    if (trial.kind->form->has_places())
       for (std::size_t i = 0; i < trial.stimuli.size(); ++i)
         ++balance.places[{trial.stimuli[i], std::to_string(i + 1)}];
     else if (trial.stimuli.size() > 1)
@@ -53,7 +53,9 @@ void count_session(const SessionPlan& plan, Balance& balance) {
 
 void count_sides(const SessionPlan& plan, Balance& balance) {
   const auto analysed_trial = std::ranges::find_if(plan.trials, &Trial::is_analysed);
-  if (analysed_trial == plan.trials.end() || !analysed_trial->kind->form->is_on_scale) return;
+  if (analysed_trial == plan.trials.end()) return;
+  const TrialForm& form = *analysed_trial->kind->form;
+  if (!form.is_on_scale || form.is_grid) return;
   for (const TrialItem& item : analysed_trial->items)
     if (item.item != analysed_trial->kind->form->item) balance.flipped[item.item] += item.flipped;
 }
@@ -233,14 +235,14 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
       fmt::format("Each {} directly follows every other one {}.", form.judged,
                   range_text(succession_range(balance), "times")),
       fmt::format("Any two {} are both shown in {}.",
-                  form.is_set        ? "sets"
+                  form.has_places()  ? "sets"
                   : form.stimuli > 1 ? "pairs"
                                      : "stimuli",
                   range_text(concurrence_range(balance), "sessions"))};
   if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
                                     range_text(flipped_range(balance), "participants")));
-  if (form.is_set)
+  if (form.has_places())
     sentences.push_back(fmt::format("Each stimulus is shown {} in each place of a set.",
                                     range_text(place_range(balance), "times")));
   else if (form.stimuli > 1)

@@ -103,7 +103,7 @@ std::string analysis_plan_text(const Manifest& manifest) {
   for (const std::string& part :
        {tests_plan(questionnaire_of(manifest)),
         factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
-        quality_plan(analysis.quality)})
+        quality_plan(questionnaire_of(manifest))})
     if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
   return plan;
 }

@@ -157,6 +157,7 @@ void check(const Manifest& manifest, const PowerOptions& options) {
   if (form.stimuli > 1 || form.is_detection)
     throw Error(fmt::format("power is estimated for ratings only, but this questionnaire {}",
                             form.is_detection ? "measures d′"
+                            : form.is_grid    ? "rates several stimuli in a trial"
                             : form.is_set     ? "compares sets"
                                               : "compares pairs"),
                 "leave --power out");

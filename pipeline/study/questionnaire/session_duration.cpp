@@ -49,6 +49,12 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     const auto found = seconds.find(stimulus);
     return found == seconds.end() ? usual_video_seconds : found->second;
   };
+  // Each video is played, one after the other.
+  const auto all_videos = [&](const Trial& trial) {
+    double all = trial.reference.empty() ? 0.0 : video(trial.reference);
+    for (const std::string& stimulus : trial.stimuli) all += video(stimulus);
+    return all;
+  };
   const double words =
       word_count(questionnaire.consent.text) + word_count(questionnaire.instructions.text) +
       word_count(questionnaire.debriefing.text) + word_count(questionnaire.ending.text);
@@ -61,6 +67,7 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
     if (pair_presentation(questionnaire) == PairPresentation::in_turn && trial.stimuli.size() == 2)
       longest = video(trial.stimuli[0]) + video(trial.stimuli[1]) + seconds_between_pair;
+    if (trial.kind->form != nullptr && trial.kind->form->is_grid) longest = all_videos(trial);
     sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
     if (questionnaire.comments && !trial.is_attention_check()) sum += pace.comment;
   }

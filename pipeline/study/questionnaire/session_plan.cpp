@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/ratings/answers/best_worst_item.h"
+#include "pipeline/manifest/ratings/answers/grid_item.h"
 #include "pipeline/study/questionnaire/main_part.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -26,6 +28,7 @@ class Planner {
         form_(*questionnaire_.trials),
         kind_(trial_kind_of(form_)),
         subjects_(trial_subjects(manifest)),
+        grid_sets_(grid_sets(manifest)),
         response_scales_(response_scales_by_item(manifest)),
         shown_(subjects_.size()) {
     for (const Scale& scale : questionnaire_scales(manifest).scales) scales_.push_back(scale.id);
@@ -68,11 +71,11 @@ class Planner {
   void lay_items() {
     items_.clear();
     if (!form_.item.empty()) items_.push_back({.item = std::string(form_.item)});
-    const bool has_poles = form_.is_on_scale && !questionnaire_.answer.words;
+    const bool has_poles = form_.is_on_scale && !form_.is_grid && !questionnaire_.answer.words;
     for (const std::string& scale : scales_) {
       if (&form_ == &best_worst_form) {
-        items_.push_back({.item = to_item({scale, true})});
-        items_.push_back({.item = to_item({scale, false})});
+        items_.push_back({.item = to_item(BestWorstItem{scale, true})});
+        items_.push_back({.item = to_item(BestWorstItem{scale, false})});
         continue;
       }
       items_.push_back({.item = scale, .flipped = has_poles && is_flipped(scale, index_)});
@@ -87,7 +90,30 @@ class Planner {
             .items = items_};
   }
 
+  /// A trial of a grid, with its stimuli in random places.
+  Trial grid_trial(const GridSet& set, std::string block, const std::string& name) const {
+    std::vector<std::string> placed;
+    for (const std::size_t i : random_order(set.stimuli.size(), plan_.seed, "grid/" + name))
+      placed.push_back(set.stimuli[i]);
+    Trial trial = trial_of(std::move(placed), std::move(block));
+    trial.reference = set.reference;
+    trial.items.clear();
+    for (const TrialItem& item : items_)
+      for (std::size_t place = 1; place <= set.stimuli.size(); ++place)
+        trial.items.push_back({.item = to_item(GridItem{item.item, place})});
+    return trial;
+  }
+
+  void lay_practice_grids() {
+    for (const GridSet& set : practice_grid_sets(manifest_)) {
+      plan_.trials.push_back(
+          grid_trial(set, "practice", fmt::format("practice/{}", plan_.trials.size())));
+      plan_.trials.back().practice = true;
+    }
+  }
+
   void lay_practice() {
+    if (form_.is_grid) return lay_practice_grids();
     const std::size_t each = stimuli_per_trial(questionnaire_);
     for (std::size_t i = 0; i + each <= questionnaire_.practice.size(); i += each) {
       const auto first = questionnaire_.practice.begin() + static_cast<std::ptrdiff_t>(i);
@@ -103,10 +129,13 @@ class Planner {
     for (const MainTrial& one : main) turned[one.subject] = shown_[one.subject];
     for (std::size_t place = 0; place < main.size(); ++place) {
       const MainTrial& one = main[place];
-      Trial trial = trial_of(subjects_.stimuli[one.subject], subjects_.blocks[one.subject]);
+      const std::string& block = subjects_.blocks[one.subject];
+      Trial trial = form_.is_grid
+                        ? grid_trial(grid_sets_[one.subject], block, std::to_string(place))
+                        : trial_of(subjects_.stimuli[one.subject], block);
       trial.warm_up = one.warm_up;
       trial.is_check = one.repeated;
-      if (form_.stimuli > 1) turn(trial, turned[one.subject]);
+      if (form_.stimuli > 1 && !form_.is_grid) turn(trial, turned[one.subject]);
       if (trial.is_analysed()) ++shown_[one.subject];
       plan_.trials.push_back(std::move(trial));
       if (std::ranges::find(checks, place) != checks.end()) lay_attention(place);
@@ -168,6 +197,7 @@ class Planner {
   const TrialForm& form_;
   const TrialKind& kind_;
   TrialSubjects subjects_;
+  std::vector<GridSet> grid_sets_;  ///< of grid trials, in the order of the subjects
   std::vector<std::string> scales_;
   ResponseScales response_scales_;
   std::vector<std::size_t> shown_;  ///< how often each subject is analysed so far

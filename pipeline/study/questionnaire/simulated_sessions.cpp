@@ -12,6 +12,7 @@
 #include "pipeline/base/statistics/named_random.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/best_worst_item.h"
+#include "pipeline/manifest/ratings/answers/grid_item.h"
 #include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -71,20 +72,23 @@ class SimulatedSession {
 
   SimulatedView view_of(const Question& question) const {
     const auto& [trial, item, scale, choices] = question;
-    return {
-        .opinion = [this, question](std::size_t which) { return opinion(question, which); },
-        .shown = level_of(manifest_, trial.stimuli[0], item.item),
-        .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < people_.recognition_rate,
-        .chance = uniform(plan_.seed, name("chosen", trial, item))};
+    const double rate =
+        trial.kind->form->is_grid ? people_.reference_recognition_rate : people_.recognition_rate;
+    return {.opinion = [this, question](std::size_t which) { return opinion(question, which); },
+            .shown = level_of(manifest_, trial.stimuli[0], item.item),
+            .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < rate,
+            .chance = uniform(plan_.seed, name("chosen", trial, item))};
   }
 
   /// The participant's opinion of a stimulus of the trial, in the scale's own range; without scale
   /// an observation with a standard deviation of 1.
   double opinion(const Question& question, std::size_t which) const {
     const Trial& trial = question.trial;
-    // Best and worst are chosen by the same opinions.
+    // Best and worst are chosen by the same opinions, and grids ask one scale in every place.
     TrialItem item = question.item;
     if (const auto part = best_worst_item(item.item); part && trial.kind->form->is_set)
+      item.item = part->scale;
+    if (const auto part = grid_item(item.item); part && trial.kind->form->is_grid)
       item.item = part->scale;
     const ResponseScale* scale = find_scale(scales_, item.item);
     const std::string& stimulus = trial.stimuli[which];

@@ -35,16 +35,19 @@ struct SimulatedParticipants {
   RatingSpread spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
   double attention_pass_rate = 0.98;  ///< probability of passing an attention check, 0 to 1
   double recognition_rate = 0.6;      ///< probability of choosing the intended emotion, 0 to 1
-  double answer_seconds = 2.5;        ///< median response time of an item, seconds
+  /// Probability of recognising a hidden reference and rating it 100, 0 to 1.
+  double reference_recognition_rate = 0.95;
+  double answer_seconds = 2.5;  ///< median response time of an item, seconds
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
 /// participant on that scale plus a residual, clamped to the scale and rounded to the points of the
-/// questionnaire. In a pair, the stimulus with the higher rating before clamping and rounding
-/// is chosen. In detection, an observation is the truth plus the bias plus a residual with a
-/// standard deviation of 1; the answer is "yes" above 0.5, the interval with the greater
-/// observation, or "different" if two observations differ by more than 1.5. Deterministic in the
-/// seed of each plan. Each row is marked as simulated.
+/// questionnaire. In grid trials, hidden references that are recognised are rated 100. In a pair,
+/// the stimulus with the higher rating before clamping and rounding is chosen. In detection, an
+/// observation is the truth plus the bias plus a residual with a standard deviation of 1; the
+/// answer is "yes" above 0.5, the interval with the greater observation, or "different" if two
+/// observations differ by more than 1.5. Deterministic in the seed of each plan. Each row is marked
+/// as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

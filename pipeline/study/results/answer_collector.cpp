@@ -131,7 +131,7 @@ class AnswerCollector {
   void check_orientation(const AnswerRow& row, const Scale& scale, double value) {
     const auto raw = motion::as_finite_number(row.value_raw);
     if (!raw || row.pole_left.empty()) return;
-    const double share = questionnaire_.answer.slider
+    const double share = result_.is_slider
                              ? *raw / 100.0
                              : (*raw - 1.0) / std::max(1.0, questionnaire_.answer.points - 1.0);
     const double from_low = row.pole_left == "low" ? share : 1.0 - share;

@@ -12,6 +12,7 @@
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/study/results/answer_collector.h"
+#include "pipeline/study/results/grid_screening.h"
 
 namespace mien::pipeline {
 
@@ -126,6 +127,7 @@ QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>&
                        AnswerSet& result) {
   QualityFlags flags = quality_flags(asked, rows);
   add_failed_attention(result.attention, result.rule, flags);
+  add_post_screening(result.grid, rows, flags);
   const std::string& parameter = asked.analysis.quality.repeated_by;
   if (parameter.empty()) return flags;
   result.is_repetition_known = choices.session_people.is_known;
@@ -157,8 +159,9 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.factorial = asked.analysis.factorial;
   result.scales = questionnaire_scales(manifest).scales;
   result.choices = questionnaire_choices(manifest);
-  result.is_slider = asked.answer.slider;
-  result.points = asked.answer.slider ? 11 : asked.answer.points;
+  result.grid = grid_sets(manifest);
+  result.is_slider = has_sliders(asked);
+  result.points = result.is_slider ? 11 : asked.answer.points;
   result.rule.max_failed_checks =
       choices.max_failed_checks.value_or(asked.analysis.max_failed_checks);
   result.correction = choices.correction.value_or(asked.analysis.correction);

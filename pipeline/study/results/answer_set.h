@@ -13,6 +13,7 @@
 #include "pipeline/manifest/factor_crossing.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -127,6 +128,7 @@ struct AnswerSet {
   std::vector<AnalysedPreference> preferences;
   std::vector<AnalysedDetection> detections;
   std::vector<AnalysedSet> sets;
+  std::vector<GridSet> grid;         ///< the sets of grid trials
   std::vector<Remark> remarks;       ///< comments
   std::vector<Remark> words;         ///< answers to scales answered in words
   std::vector<Attention> attention;  ///< results of attention checks, of all participants

@@ -79,7 +79,7 @@ std::vector<QualityFlag> flags_of_participant(std::span<const double> raw,
 
 bool QualityFlags::leaves_out(const std::string& participant) const {
   return std::ranges::any_of(of_participant(participant), [&](const QualityFlag& flag) {
-    return flag.rule == QualityRule::max_failed_checks || rules.flagged == FlaggedAnswers::excluded;
+    return is_excluding(flag.rule, rules);
   });
 }
 
@@ -126,7 +126,8 @@ double sample_deviation(std::span<const double> numbers) {
 }
 
 QualityFlags quality_flags(const Questionnaire& questionnaire, const std::vector<AnswerRow>& rows) {
-  QualityFlags flags{.rules = questionnaire.analysis.quality};
+  QualityFlags flags{.rules = questionnaire.analysis.quality,
+                     .stated = stated_rules(questionnaire)};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].counts()) continue;
     std::vector<QualityFlag> own = flags_of_answer(rows[i], flags.rules);

@@ -23,13 +23,13 @@ struct QualityFlag {
 /// answers as given, regardless of what other rules flag.
 struct QualityFlags {
   QualityRules rules;
+  std::vector<StatedRule> stated;  ///< those that are applied, the post-screening among them
   /// By participant: failed attention checks, and the rules about whole participants.
   std::map<std::string, std::vector<QualityFlag>> participants;
   /// By index of the answer's row: the rules about single answers.
   std::map<std::size_t, std::vector<QualityFlag>> answers;
 
-  /// Whether the analysis leaves out the participant: for failed attention checks always, for other
-  /// flags if `rules.flagged` is excluded.
+  /// Whether the analysis leaves out the participant for any of the flags (is_excluding).
   bool leaves_out(const std::string& participant) const;
   /// Whether the analysis leaves out that row for flags of its own.
   bool leaves_out(std::size_t row) const;

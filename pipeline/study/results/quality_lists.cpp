@@ -17,10 +17,6 @@ bool has_rule(const std::vector<QualityFlag>& flags, std::optional<QualityRule> 
   return rule ? std::ranges::count(flags, *rule, &QualityFlag::rule) > 0 : !flags.empty();
 }
 
-bool is_excluding(QualityRule rule, const QualityRules& rules) {
-  return rule == QualityRule::max_failed_checks || rules.flagged == FlaggedAnswers::excluded;
-}
-
 /// Counts what a rule flagged or, without a rule, what any of them did.
 void count_flagged(std::optional<QualityRule> rule, const QualityFlags& flags,
                    const std::vector<AnswerRow>& rows, RuleCount& count) {
@@ -50,7 +46,7 @@ StatedRule attention_rule(const AttentionRule& rule) {
 std::vector<ListedFlag> listed_flags(const AnswerSet& answer_set, std::vector<AnswerRow> rows) {
   const QualityFlags& quality = answer_set.quality;
   std::vector<ListedFlag> all;
-  if (has_no_rules(quality.rules)) return all;
+  if (quality.stated.empty()) return all;
   separate_participants(rows);
   for (const auto& [participant, flags] : quality.participants)
     for (const QualityFlag& flag : flags)
@@ -70,7 +66,7 @@ std::vector<ListedFlag> listed_flags(const AnswerSet& answer_set, std::vector<An
 
 std::vector<RuleCount> rule_counts(const AnswerSet& answer_set, std::vector<AnswerRow> rows) {
   const QualityFlags& quality = answer_set.quality;
-  std::vector<StatedRule> stated = stated_rules(quality.rules);
+  std::vector<StatedRule> stated = quality.stated;
   if (stated.empty()) return {};
   stated.insert(stated.begin(), attention_rule(answer_set.rule));
   separate_participants(rows);
@@ -85,14 +81,16 @@ std::vector<RuleCount> rule_counts(const AnswerSet& answer_set, std::vector<Answ
     count_flagged(one.rule, quality, rows, counts.back());
   }
   counts.push_back({.words = "all rules together",
-                    .is_excluded = quality.rules.flagged == FlaggedAnswers::excluded});
+                    .is_excluded = std::ranges::all_of(quality.stated, [&](const StatedRule& one) {
+                      return is_excluding(one.rule, quality.rules);
+                    })});
   count_flagged(std::nullopt, quality, rows, counts.back());
   return counts;
 }
 
 std::vector<std::string> flagged_sentences(const AnswerSet& answer_set) {
   std::vector<std::string> sentences;
-  if (has_no_rules(answer_set.quality.rules)) return sentences;
+  if (answer_set.quality.stated.empty()) return sentences;
   for (const auto& [participant, flags] : answer_set.quality.participants)
     sentences.push_back(fmt::format(
         "participant {} is {}: {}", motion::in_quotes(participant),

@@ -10,6 +10,7 @@
 #include "pipeline/study/results/detection_results.h"
 #include "pipeline/study/results/factor_contrasts.h"
 #include "pipeline/study/results/factor_effects.h"
+#include "pipeline/study/results/grid_results.h"
 #include "pipeline/study/results/group_comparisons.h"
 #include "pipeline/study/results/pair_preferences.h"
 #include "pipeline/study/results/pair_worth.h"
@@ -37,6 +38,7 @@ struct Results {
   std::vector<PairWorth> worths;
   DetectionResults detection;
   std::vector<BestWorstScore> best_worst;
+  GridResults grid;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
@@ -65,6 +67,7 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.worths = worths_of(results.answer_set);
   results.detection = detection_results(results.answer_set);
   results.best_worst = best_worst_scores(results.answer_set);
+  results.grid = grid_results(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.flow = participant_flow(results.answer_set, demographics);
   results.participants = participant_summaries(results.answer_set, rows);

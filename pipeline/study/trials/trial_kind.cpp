@@ -54,9 +54,11 @@ ResponseScales response_scales_by_item(const Manifest& manifest) {
   const PreferenceSettings& preference = questionnaire_of(manifest).preference;
   ResponseScales scales;
   for (const Scale& scale : questionnaire_scales(manifest).scales)
-    scales[scale.id] = {answer.points, answer.slider,   answer.words,
-                        scale.least,   scale.most,      scale.low,
-                        scale.high,    preference.ties, preference.strength};
+    scales[scale.id] = {answer.points,      has_sliders(questionnaire_of(manifest)),
+                        answer.words,       scale.least,
+                        scale.most,         scale.low,
+                        scale.high,         preference.ties,
+                        preference.strength};
   return scales;
 }
 

@@ -117,8 +117,9 @@ struct SimulatedView {
                 ///< detection, its observation, in standard deviations
   /// The first stimulus's level of the factor that is named like the item, such as `emotion`.
   std::string shown;
-  bool is_recognised = false;  ///< the participant recognises the shown level
-  double chance = 0.0;         ///< random number from 0 to 1 for the simulated response
+  /// The participant recognises the shown level or, in grid trials, a hidden reference.
+  bool is_recognised = false;
+  double chance = 0.0;  ///< random number from 0 to 1 for the simulated response
 };
 
 /// A kind of trial: defines how responses are checked, completed and simulated. An attention check
@@ -131,7 +132,8 @@ struct TrialKind {
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
   /// The reason why a response is invalid; empty if it is valid.
   std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
-  /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer.
+  /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer; in grid trials also
+  /// the stimulus that the answer is about, what it is compared with, and the scale.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
   /// The reason why the responses to the items of a trial contradict each other; empty if they do
   /// not. nullptr if they cannot.
@@ -148,13 +150,14 @@ extern const TrialKind same_different_trials;  ///< two stimuli: are they the sa
 extern const TrialKind yes_no_trials;          ///< one stimulus: is the signal present?
 extern const TrialKind two_interval_trials;    ///< two stimuli in turn: which has the signal?
 extern const TrialKind best_worst_trials;      ///< several stimuli: which is best, which is worst?
+extern const TrialKind grid_trials;            ///< several stimuli, each rated from 0 to 100
 /// A target motion matched with sliders; used only in matching experiments, with their own records.
 extern const TrialKind matching_trials;
 
 /// All kinds of trials.
 inline constexpr std::array trial_kinds = {
-    &rating_trials, &emotion_trials,      &pair_trials,       &same_different_trials,
-    &yes_no_trials, &two_interval_trials, &best_worst_trials, &matching_trials};
+    &rating_trials,       &emotion_trials,    &pair_trials, &same_different_trials, &yes_no_trials,
+    &two_interval_trials, &best_worst_trials, &grid_trials, &matching_trials};
 
 /// The kind of trial with that form.
 const TrialKind& trial_kind_of(const TrialForm& form);

@@ -26,9 +26,14 @@ struct TrialForm {
   bool is_detection = false;
   bool is_set = false;      ///< the questionnaire states the number of stimuli
   bool is_in_turn = false;  ///< the stimuli are always shown one after the other
+  /// The manifest states which stimuli are a set; each of them is rated, in a place of its own.
+  bool is_grid = false;
+  bool is_on_slider = false;  ///< scales are always answered on sliders
   /// Keys of a questionnaire that apply to this form and not to all others.
   std::array<std::string_view, 3> keys = {};
 
+  /// Whether the stimuli of a trial are a set in which each has a place.
+  bool has_places() const { return is_set || is_grid; }
   bool has_key(std::string_view key) const { return std::ranges::find(keys, key) != keys.end(); }
 };
 
@@ -74,6 +79,16 @@ inline constexpr TrialForm best_worst_form = {.name = "best_worst",
                                               .is_set = true,
                                               .keys = {"best_worst"}};
 
+/// Multiple stimuli with hidden reference and anchor (MUSHRA, ITU-R BS.1534-3): several stimuli,
+/// each rated from 0 to 100 (grid_item.h).
+inline constexpr TrialForm grid_form = {.name = "grid",
+                                        .judged = "set",
+                                        .stimuli = 2,
+                                        .is_in_turn = true,
+                                        .is_grid = true,
+                                        .is_on_slider = true,
+                                        .keys = {"grid"}};
+
 /// All forms. Their description in codebooks is trial_forms_meaning.
 inline constexpr Words<const TrialForm*> trial_form_words = {
     {rating_form.name, &rating_form},
@@ -82,11 +97,13 @@ inline constexpr Words<const TrialForm*> trial_form_words = {
     {same_different_form.name, &same_different_form},
     {yes_no_form.name, &yes_no_form},
     {two_interval_form.name, &two_interval_form},
-    {best_worst_form.name, &best_worst_form}};
+    {best_worst_form.name, &best_worst_form},
+    {grid_form.name, &grid_form}};
 inline constexpr char trial_forms_meaning[] =
     "rating, emotion (which of a list), pair (which of two), same_different (are two the same), "
     "yes_no (is a signal present), two_interval (which of two has the signal), "
-    "best_worst (which of a set is best and worst) or attention";
+    "best_worst (which of a set is best and worst), "
+    "grid (each of a set, rated from 0 to 100) or attention";
 
 /// The value of an answer to a pair that states no preference.
 inline constexpr char tie_value[] = "tie";

@@ -32,7 +32,7 @@ ordered_json items_json(const Manifest& manifest) {
     items[scale.id] = {{"low", low},
                        {"high", high},
                        {"points", asked.answer.points},
-                       {"slider", asked.answer.slider},
+                       {"slider", has_sliders(asked)},
                        {"words", asked.answer.words},
                        {"anchors", asked.answer.anchors},
                        {"default", start},

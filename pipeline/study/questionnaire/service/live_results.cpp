@@ -43,7 +43,8 @@ const ResponseScale* LiveResults::scale_of(const AnswerRow& row) const {
 
 LiveResults::Tally& LiveResults::tally_of(const AnswerRow& row) {
   const TrialForm& form = *find_trial_form(row.kind);
-  const auto [found, is_new] = tallies_.try_emplace({row.item, form.stimuli > 1});
+  const auto [found, is_new] =
+      tallies_.try_emplace({row.item, form.stimuli > 1 && !form.is_on_scale});
   if (!is_new) return found->second;
   if (form.offers_choices && row.item == form.item) found->second.labels = facts_.choices;
   if (const ResponseScale* scale = scale_of(row)) found->second.labels = bin_labels(*scale);

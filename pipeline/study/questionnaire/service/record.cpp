@@ -31,7 +31,7 @@ ItemResponse read_response(const nlohmann::json& text) {
 }
 
 /// More stimuli than any trial shows.
-constexpr std::size_t most_media = 8;
+constexpr std::size_t most_media = 16;
 
 std::vector<std::string> read_hashes(const nlohmann::json* list) {
   std::vector<std::string> hashes;
@@ -112,6 +112,9 @@ std::vector<AnswerRow> rows_left_out(const QuestionnaireFacts& facts, const Sess
   for (const TrialItem& asked : trial.items) {
     AnswerRow row = row_of_trial(facts, plan, trial, record);
     row.item = asked.item;
+    if (trial.kind == &grid_trials)
+      trial.kind->complete(question_of(facts, plan, trial, asked), row);
+    row.pole_left.clear();
     if (rows.empty()) row.comment = table_text(record.comment);
     rows.push_back(std::move(row));
   }
@@ -130,6 +133,7 @@ void add_response(const QuestionnaireFacts& facts, const SessionPlan& plan, cons
   }
   const auto asked = std::ranges::find(trial.items, response.item, &TrialItem::item);
   trial.kind->complete(question_of(facts, plan, trial, *asked), row);
+  row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
 }
 
 }  // namespace

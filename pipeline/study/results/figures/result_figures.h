@@ -54,6 +54,9 @@ void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures
 /// Adds figures for each question about pairs: the worths of the stimuli with their intervals.
 void add_worth_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds a figure of the means of the conditions of grid trials.
+void add_grid_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures of the sensitivities with their intervals, by stimulus or pair and by participant,
 /// if there are not too many.
 void add_detection_figures(const Results& results, std::vector<ResultFigure>& figures);

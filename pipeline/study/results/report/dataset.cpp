@@ -31,7 +31,7 @@ constexpr std::array<Column, 3> quality_columns = {
 
 /// The columns that the report adds to the answers.
 std::span<const Column> added_columns(const AnswerSet& answer_set) {
-  if (has_no_rules(answer_set.quality.rules)) return {&excluded_column, 1};
+  if (answer_set.quality.stated.empty()) return {&excluded_column, 1};
   return quality_columns;
 }
 
@@ -69,7 +69,7 @@ std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
     const std::string& participant = rows[i].participant;
     const bool counts = std::ranges::binary_search(people, participant) && !quality.leaves_out(i);
     fields.emplace_back(counts ? "0" : "1");
-    if (!has_no_rules(quality.rules)) {
+    if (!quality.stated.empty()) {
       fields.push_back(reasons_text(quality.of_answer(i)));
       fields.push_back(reasons_text(quality.of_participant(participant)));
     }

@@ -68,7 +68,7 @@ std::string state_of(const ParticipantSummary& p, const AnswerSet& answer_set) {
   const bool is_too_short = p.is_unfinished && answer_set.without_unfinished;
   std::string state;
   if (p.is_unfinished) state = "not finished";
-  if (!has_no_rules(answer_set.quality.rules)) {
+  if (!answer_set.quality.stated.empty()) {
     const std::string flags = flags_of(p, answer_set.quality);
     state += (state.empty() || flags.empty() ? "" : ", ") + flags;
   } else {

@@ -45,4 +45,8 @@ std::string worth_section_html(const Results& results, const std::string& figure
 /// without answers to detection.
 std::string detection_section_html(const Results& results, const std::string& figures);
 
+/// The section of grid trials: what they mean, `figures`, and the tables. Empty without such
+/// answers.
+std::string grid_section_html(const Results& results, const std::string& figures);
+
 }  // namespace mien::pipeline

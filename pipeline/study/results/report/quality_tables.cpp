@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
@@ -33,18 +35,30 @@ std::string flags_html(const Results& results) {
                     rows);
 }
 
+bool is_of_grid(const StatedRule& rule) {
+  return rule.rule == QualityRule::hidden_reference || rule.rule == QualityRule::anchor;
+}
+
 }  // namespace
 
 std::string quality_html(const Results& results) {
   const std::string rules = rules_html(results);
   if (rules.empty()) return "";
-  const bool is_excluded = results.answer_set.quality.rules.flagged == FlaggedAnswers::excluded;
-  std::string html =
-      std::string("<p>The rules that the manifest states. ") +
-      (is_excluded ? "Flagged answers, and all answers of flagged participants, are excluded from "
-                     "the results. "
-                   : "Flagged answers and participants are included in the results, except "
-                     "participants who failed attention checks. ") +
+  const AnswerSet& answer_set = results.answer_set;
+  const QualityRules& stated = answer_set.quality.rules;
+  std::string html = "<p>";
+  if (!has_no_rules(stated))
+    html += stated.flagged == FlaggedAnswers::excluded
+                ? "The rules that the manifest states. Flagged answers, and all answers of flagged "
+                  "participants, are excluded from the results. "
+                : "The rules that the manifest states. Flagged answers and participants are "
+                  "included in the results, except participants who failed attention checks. ";
+  if (std::ranges::any_of(answer_set.quality.stated, is_of_grid))
+    html += fmt::format(
+        "hidden_reference and anchor are the post-screening of ITU-R BS.1534-3; participants whom "
+        "it flags are {} the results. ",
+        stated.post_screening == FlaggedAnswers::excluded ? "excluded from" : "included in");
+  html +=
       "Answers are those to analysed trials, including those of flagged participants; participants "
       "are those who are flagged or some of whose answers are. All data, with their flags, are in "
       "data/.</p>\n" +

@@ -62,11 +62,6 @@ class PageParts {
 
 std::string heading(const std::string& plain) { return "<h3>" + html_escaped(plain) + "</h3>\n"; }
 
-/// A part with its heading; empty without content.
-std::string part(const std::string& title, const std::string& html) {
-  return html.empty() ? "" : heading(title) + html;
-}
-
 std::size_t judged_stimuli(const AnswerSet& answer_set) {
   std::set<std::size_t> judged;
   for (const AnalysedRating& rating : answer_set.ratings) judged.insert(rating.stimulus);
@@ -351,6 +346,7 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("people", "Participants", people_html(results));
   parts.section("quality", "Quality rules", quality_html(results));
   parts.section("means", "Means", parts.figures("means"));
+  parts.section("grid", "Sets of stimuli", grid_section_html(results, parts.figures("grid")));
   parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
   parts.section("best", "Highest-rated videos", best_html(results, parts));
   parts.section("differences", "Modified, acted and neutral motions",

@@ -114,6 +114,56 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "b2, "
        "a1]",
        "questionnaire.practice[2]", "appears twice in a set"},
+      {"participants: 4, scales: all, grid: {alike: [actor]}", "questionnaire.grid",
+       "only grid trials"},
+      {"participants: 4, scales: [sad-happy], trials: grid", "questionnaire",
+       "need sets of stimuli"},
+      {"participants: 4, scales: all, trials: grid, grid: {sets: [[a1, b2]]}",
+       "questionnaire.scales", "ask one scale"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {alike: [actr]}",
+       "questionnaire.grid.alike[0]", "did you mean \"actor\""},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {alike: [actor], sets: [[a1, "
+       "b2]]}",
+       "questionnaire.grid.alike", "the sets are listed"},
+      {"participants: 4, scales: [sad-happy], trials: grid, stimuli: [a1], grid: {sets: [[a1, "
+       "b2]]}",
+       "questionnaire.stimuli", "the sets of the grid are listed"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, x]]}",
+       "questionnaire.grid.sets[0][1]", "unknown stimulus"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2], [c3, a1]]}",
+       "questionnaire.grid.sets[1][1]", "appears twice"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2], [c3]]}",
+       "questionnaire.grid.sets[1]", "a set has 2 to 12"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {alike: [actor]}",
+       "questionnaire.grid.alike", "the set of \"c3\" has no other stimulus"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2], [c3, a4]], "
+       "reference: [a1]}",
+       "questionnaire.grid.sets[1]", "the set of \"c3\" has no reference"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]], reference: "
+       "[a1, b2]}",
+       "questionnaire.grid.sets[0]", "has 2 references"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]], reference: "
+       "{emotion: [sd]}}",
+       "questionnaire.grid.reference.emotion[0]", "did you mean \"sad\""},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]], anchor: "
+       "[c3]}",
+       "questionnaire.grid.anchor", "no set has an anchor"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]], reference: "
+       "[a1], anchor: [a1]}",
+       "questionnaire.grid.anchor", "is the reference, too"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]]}, reference: "
+       "a1",
+       "questionnaire.reference", "name the references in grid"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]]}, practice: "
+       "[c3]",
+       "questionnaire.practice", "has no other stimulus"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]]}, answer: "
+       "{points: 7}",
+       "questionnaire.answer.points", "on sliders from 0 to 100"},
+      {"participants: 4, scales: [sad-happy], trials: grid, grid: {sets: [[a1, b2]]}, replays: 2",
+       "questionnaire.replays", "played at will"},
+      {"participants: 4, scales: [sad-happy], analysis: {quality: {post_screening: excluded}}",
+       "questionnaire.analysis.quality.post_screening", "no grid trials with a reference"},
       {"participants: 4, scales: all, trials: pair, practice: [a1]", "questionnaire.practice",
        "an even number of stimuli"},
       {"participants: 4, trials: emotion, stimuli: [a1, b2], choices: [sad]",

@@ -90,6 +90,12 @@ constexpr char with_no_scales[] =
     R"({"questionnaire": {"participants": 4}, "output": {"video": ["mp4"]}})";
 constexpr char with_best_worst[] =
     R"({"questionnaire": {"participants": 4, "scales": "all", "trials": "best_worst"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}}, {"id": "b", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}, {"id": "d", "weights": {"tired": 1}}]})";
+constexpr char with_grid[] =
+    R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid"}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
+constexpr char with_grid_of_actors[] =
+    R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid", "grid": {"alike": ["actor"]}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
+constexpr char with_reference[] =
+    R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid", "grid": {"alike": ["actor"], "reference": {"mood": ["x"]}}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
 constexpr char with_same_different[] =
     R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}})";
 constexpr char with_same_different_and_factors[] =
@@ -171,6 +177,13 @@ const Surroundings surroundings[] = {
     {"questionnaire.preference.", with_pairs, "{}"},
     {"questionnaire.best_worst.", with_best_worst, "{}"},
     {"questionnaire.best_worst", with_best_worst, "{}"},
+    {"questionnaire.grid.sets", with_grid, "{}"},
+    {"questionnaire.grid.reference.", with_grid_of_actors, "{}"},
+    {"questionnaire.grid.anchor.", with_grid_of_actors, "{}"},
+    {"questionnaire.grid.reference", with_grid_of_actors, "{}"},
+    {"questionnaire.grid.anchor", with_grid_of_actors, "{}"},
+    {"questionnaire.grid", with_grid, "{}"},
+    {"questionnaire.analysis.quality.post_screening", with_reference, "{}"},
     {"questionnaire.same_different.differ_in", with_same_different_and_factors, "{}"},
     {"questionnaire.same_different.", with_same_different, "{}"},
     {"questionnaire.same_different", with_no_scales, R"({"trials": "same_different"})"},
@@ -489,6 +502,11 @@ const Values chosen_values[] = {
     {"questionnaire.best_worst", R"([{"size": 3, "sets": 2}, {"size": 3, "sets": 5}])"},
     {"questionnaire.best_worst.size", "[3, 4]"},
     {"questionnaire.best_worst.sets", "[4, 5]"},
+    {"questionnaire.grid", R"([{"alike": ["actor"]}, {"alike": ["mood"]}])"},
+    {"questionnaire.grid.alike", R"([["actor"], ["mood"]])"},
+    {"questionnaire.grid.sets", R"([[["a", "b"]], [["b", "a"], ["c", "d"]]])"},
+    {"questionnaire.grid.reference", R"([["a", "b"], ["c", "d"]])"},
+    {"questionnaire.grid.anchor", R"([["a", "b"], ["c", "d"]])"},
     {"questionnaire.same_different", R"([{"same": 0.3}, {"same": 0.6}])"},
     {"questionnaire.same_different.differ_in", R"(["actor", "mood"])"},
     {"questionnaire.signal", R"([["a"], ["b"]])"},

@@ -296,6 +296,62 @@ TEST(SessionPlan, AsksForAnAnswerThatThereIs) {
                                            "second", "yes"}));
 }
 
+TEST(SessionPlan, OfAGridHasEachSetInAnOrderOfItsOwnBesideItsReference) {
+  const Manifest manifest = asked_study(
+      12,
+      "participants: 40, scales: [sad-happy], trials: grid, grid: {alike: [actor], reference: "
+      "[a1, b2, c3]}, attention: {every: 2}, retest: {repeat: 1}");
+  std::map<std::pair<std::string, std::size_t>, int> places;
+  std::set<std::vector<std::string>> orders;
+  for (const SessionPlan& plan : plan_sessions(manifest)) {
+    std::set<std::string> seen;
+    for (const Trial& trial : plan.trials) {
+      if (trial.is_attention_check()) {
+        EXPECT_EQ(trial.items, (std::vector<TrialItem>{{"sad-happy"}}));
+        EXPECT_TRUE(trial.expected == "0" || trial.expected == "100");
+        continue;
+      }
+      ASSERT_EQ(trial.stimuli.size(), 4u);
+      ASSERT_EQ(trial.items.size(), 4u);
+      EXPECT_EQ(trial.items[3], (TrialItem{"sad-happy/4"}));
+      EXPECT_EQ(std::ranges::count(trial.stimuli, trial.reference), 1);
+      const char actor = trial.stimuli[0][0];
+      for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(trial.stimuli[i][0], actor);
+        ++places[{trial.stimuli[i], i}];
+      }
+      orders.insert(trial.stimuli);
+      if (trial.is_analysed()) EXPECT_TRUE(seen.insert(trial.reference).second);
+    }
+    EXPECT_EQ(seen, (std::set<std::string>{"a1", "b2", "c3"}));
+  }
+  EXPECT_TRUE(balance_of(manifest, plan_sessions(manifest)).flipped.empty());
+  // 40 participants, three sets, and one of them a second time: each stimulus about 13 times in
+  // each place; the 99.9 % limits of a binomial count.
+  EXPECT_GT(orders.size(), 50u);
+  EXPECT_EQ(places.size(), 48u);
+  for (const auto& [place, count] : places) {
+    EXPECT_GE(count, 2) << place.first;
+    EXPECT_LE(count, 28) << place.first;
+  }
+}
+
+TEST(SessionPlan, OfAGridPractisesSetsOfEqualLevelsAndTakesAsLongAsAllVideos) {
+  const Manifest manifest = asked_study(
+      8,
+      "participants: 1, scales: [sad-happy], trials: grid, grid: {alike: [actor], reference: [a1, "
+      "b2, c3]}, stimuli: [a1, a4, b2, b5], practice: [b2, b5, a1, a4], pace: {answer: 2, between: "
+      "1}");
+  const SessionPlan plan =
+      plan_sessions(manifest, {{"a1", 5.0}, {"a4", 7.0}, {"b2", 1.0}, {"b5", 2.0}})[0];
+  ASSERT_EQ(plan.trials.size(), 4u);
+  EXPECT_TRUE(plan.trials[0].practice && plan.trials[1].practice && !plan.trials[2].practice);
+  EXPECT_EQ(plan.trials[0].reference, "b2");
+  EXPECT_EQ(plan.trials[1].reference, "a1");
+  // The reference is shown twice: openly and hidden.
+  EXPECT_DOUBLE_EQ(plan.expected_seconds, 2 * (5 + 5 + 7 + 4 + 1) + 2 * (1 + 1 + 2 + 4 + 1));
+}
+
 TEST(SessionPlan, OfTwoIntervalsTakesAsLongAsBothVideos) {
   const Manifest manifest =
       asked_study(2,

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/manifest/ratings/answers/grid_item.h"
+
 namespace mien::pipeline {
 namespace {
 
@@ -16,6 +18,7 @@ Trial trial_of(const TrialKind& kind) {
     trial = {.kind = &kind,
              .stimuli = {"walk", "run", "jump"},
              .items = {{"sad-happy/best"}, {"sad-happy/worst"}}};
+  if (kind.form->is_grid) trial.items = {{"sad-happy/1"}, {"sad-happy/2"}};
   trial.stimuli.resize(kind.form->stimuli);
   if (!kind.form->item.empty()) trial.items.push_back({std::string(kind.form->item)});
   return trial;
@@ -34,7 +37,7 @@ void for_each_question(auto&& ask) {
     const TrialKind& kind = trial_kind_of(*form);
     const Trial trial = trial_of(kind);
     for (const ResponseScale& scale : scales) {
-      if (scale.words && !form->is_on_scale) continue;
+      if (scale.words && (!form->is_on_scale || form->is_on_slider)) continue;
       for (const TrialItem& item : trial.items)
         ask(kind, Question{trial, item, item.item == form->item ? nullptr : &scale, choices});
     }
@@ -185,6 +188,47 @@ TEST(Trials, OfSetsAreAnsweredWithPlaces) {
   EXPECT_NE(contradiction("2", "2"), "");
   for (const char* raw : {"0", "5", "1.5", ""})
     EXPECT_NE(best_worst_trials.fault(best, {.item = "sad-happy/best", .value_raw = raw}), "");
+}
+
+TEST(Trials, OfAGridAreAboutTheStimulusInEachPlace) {
+  const Trial trial{.kind = &grid_trials,
+                    .stimuli = {"walk", "run", "jump"},
+                    .reference = "run",
+                    .items = {{"sad-happy/1"}, {"sad-happy/2"}, {"sad-happy/3"}}};
+  const Question hidden{trial, trial.items[1], nullptr, choices};
+  const Question other{trial, trial.items[2], nullptr, choices};
+  AnswerRow row = completed(other, "37");
+  EXPECT_EQ(row.stimulus, "jump");
+  EXPECT_EQ(row.against, "run");
+  EXPECT_EQ(row.item, "sad-happy");
+  EXPECT_EQ(row.value, "37");
+  EXPECT_EQ(row.pole_left, "low");
+  EXPECT_EQ(completed(hidden, "100").stimulus, "run");
+  const auto simulated = [](const Question& question, bool is_recognised) {
+    const SimulatedView view{
+        .opinion = [](std::size_t which) { return which == 2 ? 140.0 : 30.4 + which; },
+        .is_recognised = is_recognised};
+    return grid_trials.simulated(question, view);
+  };
+  EXPECT_EQ(simulated(hidden, true), "100");
+  EXPECT_EQ(simulated(hidden, false), "31");
+  EXPECT_EQ(simulated(other, false), "100");
+  for (const char* raw : {"-1", "101", "3.5"})
+    EXPECT_NE(
+        grid_trials.fault(other, {.item = "sad-happy/3", .value_raw = raw, .is_number = true}), "")
+        << raw;
+  EXPECT_NE(grid_trials.fault(other, {.item = "sad-happy/3", .value_raw = "50"}), "");
+}
+
+TEST(GridItems, HaveAScaleAndAPlace) {
+  const auto item = grid_item("slow/quick/12");
+  ASSERT_TRUE(item.has_value());
+  EXPECT_EQ(item->scale, "slow/quick");
+  EXPECT_EQ(item->place, 12u);
+  EXPECT_EQ(to_item(*item), "slow/quick/12");
+  for (const char* name : {"sad-happy", "sad-happy/", "/3", "sad-happy/0", "sad-happy/03",
+                           "sad-happy/3x", "sad-happy/-1", "sad-happy/best"})
+    EXPECT_FALSE(grid_item(name).has_value()) << name;
 }
 
 TEST(Trials, OfDetectionAreSimulatedByObservations) {

@@ -9,7 +9,12 @@ export interface Asked {
   focus(): void;
   /** Nothing until it is answered. */
   answer(): { item: string; value_raw: number | string; at: number } | null;
+  /** What has to be done yet, where that is not only an answer. */
+  lack?(): "play" | "answer" | null;
 }
+
+/** Whether something has to be done yet. */
+export const isMissing = (one: Asked): boolean => (one.lack ? one.lack() !== null : one.answer() === null);
 
 /** Told when an answer has been given; `isKey` where it was a digit, after which one goes on. */
 export type Answered = (asked: Asked, isKey: boolean) => void;
@@ -101,31 +106,28 @@ function pointsOf(
   return choicesOf(id, `${left} – ${right}`, left, right, choices, Number, start, answered);
 }
 
-function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered): Asked {
-  const left = flipped ? item.high : item.low;
-  const right = flipped ? item.low : item.high;
-  let isGiven = item.default === "middle";
+/** A slider from 0 to 100 without a knob until it is moved. */
+export interface Range {
+  input: HTMLInputElement;
+  /** Nothing until it was moved. */
+  value(): { value_raw: number; at: number } | null;
+}
+
+export function rangeOf(label: string, isGivenFirst: boolean, moved: () => void): Range {
+  let isGiven = isGivenFirst;
   let at = performance.now();
   const input = element("input", { type: "range", min: "0", max: "100", step: "1",
-    "aria-label": `${left} – ${right}`, class: isGiven ? "" : "untouched" });
+    "aria-label": label, class: isGiven ? "" : "untouched" });
   input.value = "50";
   const tell = () =>
     input.setAttribute("aria-valuetext", isGiven ? `${input.value} / 100` : "–");
   tell();
-  const asked: Asked = {
-    root: element("div", { class: "asked slider" },
-      element("div", { class: "poles", "aria-hidden": "true" },
-        element("span", { class: "pole low" }, left), element("span", { class: "pole high" }, right)),
-      input),
-    focus: () => input.focus(),
-    answer: () => (isGiven ? { item: id, value_raw: Number(input.value), at } : null),
-  };
   const given = () => {
     isGiven = true;
     at = performance.now();
     input.classList.remove("untouched");
     tell();
-    answered(asked, false);
+    moved();
   };
   input.addEventListener("input", given);
   // Where the knob lies already may be what is meant.
@@ -133,6 +135,26 @@ function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered):
   input.addEventListener("keydown", (event) => {
     if (/^(Arrow|Page|Home|End)/.test(event.key)) setTimeout(given);
   });
+  return { input, value: () => (isGiven ? { value_raw: Number(input.value), at } : null) };
+}
+
+/** The ends of a slider, above it. */
+export const polesOf = (left: string, right: string): HTMLElement =>
+  element("div", { class: "poles", "aria-hidden": "true" },
+    element("span", { class: "pole low" }, left), element("span", { class: "pole high" }, right));
+
+function sliderOf(id: string, item: Item, flipped: boolean, answered: Answered): Asked {
+  const left = flipped ? item.high : item.low;
+  const right = flipped ? item.low : item.high;
+  const range = rangeOf(`${left} – ${right}`, item.default === "middle", () => answered(asked, false));
+  const asked: Asked = {
+    root: element("div", { class: "asked slider" }, polesOf(left, right), range.input),
+    focus: () => range.input.focus(),
+    answer: () => {
+      const given = range.value();
+      return given && { item: id, ...given };
+    },
+  };
   return asked;
 }
 

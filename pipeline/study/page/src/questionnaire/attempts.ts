@@ -9,6 +9,8 @@ export interface Played {
   ended: number;
   /** Of the longest playing, in milliseconds. */
   longest_ms: number;
+  /** Of a grid: which of its stimuli were seen, as their places. */
+  seen?: number[];
 }
 
 interface Attempt {
@@ -39,10 +41,10 @@ export class TrialAttempt {
   }
 
   /** Notes what has been played in this attempt. */
-  note({ begun, ended, longest_ms: longest }: Played): void {
+  note({ begun, ended, longest_ms: longest, seen = [] }: Played): void {
     const { before } = this;
     const played = { begun: before.begun + begun, ended: before.ended + ended,
-      longest_ms: Math.max(before.longest_ms, longest) };
+      longest_ms: Math.max(before.longest_ms, longest), seen: [...new Set([...before.seen ?? [], ...seen])] };
     this.drawer.write({ trial: this.trial, attempt: this.number, played } satisfies Attempt);
   }
 

@@ -1,7 +1,9 @@
 import { initJsPsych } from "jspsych";
-import { checked, recordsOf, type Destination, type Experiment, type PageRecord } from "./experiment";
 import { distanceOf, measureDistance } from "./blind_spot";
 import { calibrate, calibration, neededWindow, needsCalibration, rowsOfSet } from "./display";
+import {
+  checked, recordsOf, type Destination, type Experiment, type PageRecord, type Trial,
+} from "./experiment";
 import { saveFiles } from "./files";
 import { jatosIds } from "./jatos";
 import { LoadPage } from "./load_page";
@@ -97,11 +99,16 @@ async function turnAway({ mode, experiment, store, texts, parameters }: Session)
   return forever();
 }
 
+/** What a grid shows at a time: a film and the reference. */
+const besidesReference = ({ media, reference }: Trial): string[] =>
+  [...media.slice(0, 1), ...(reference ? [reference] : [])];
+
 /** Asks for a window in which the stimuli have their size; whoever cannot give one goes on all the same. */
 async function fitWindow({ experiment, store, texts }: Session, display: HTMLElement): Promise<void> {
   const { settings, media } = experiment;
   const trials = store.session.trials.map((trial) => {
-    const shown = settings.pairs === "in_turn" ? trial.media.slice(0, 1)
+    const shown = trial.kind === "grid" ? besidesReference(trial)
+      : settings.pairs === "in_turn" ? trial.media.slice(0, 1)
       : trial.reference ? [...trial.media, trial.reference] : trial.media;
     return rowsOfSet(shown.map((token) => media[token]!));
   });

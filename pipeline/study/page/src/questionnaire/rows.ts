@@ -2,6 +2,7 @@ import { answerColumns, participantColumns } from "./columns";
 import { screeningFault } from "./screening";
 import type { Experiment, PageRecord, Response, Session, Trial } from "./experiment";
 import { toneAttempts, toneItem } from "./tone_count";
+import type { Meaning } from "./trials/trial_kind";
 import { kindOf } from "./trials/trial_kinds";
 
 export type Row = Record<(typeof answerColumns)[number], string>;
@@ -27,21 +28,22 @@ function rowsOf(
     ? trial.items.map(({ item }) => ({ item, value_raw: "", rt_ms: 0 })) : record.responses;
   return responses.map((response, index) => {
     const raw = tableText(String(response.value_raw));
-    const { value, pole_left } = isLeftOut ? { value: "", pole_left: "" }
-      : kind.meaning(trial, response, raw, experiment, stimulus);
+    const isKnown = !isLeftOut || trial.kind === "grid";  // what each row of a grid is about
+    const meant: Meaning | null = isKnown ? kind.meaning(trial, response, raw, experiment, stimulus) : null;
+    const means: Meaning = isLeftOut ? { ...meant, value: "", pole_left: "" } : meant!;
     return {
       participant: session.participant,
       session: record.session,
       trial: String(trial.number),
       block: trial.block,
       kind: trial.kind,
-      stimulus: stimulus(shown),
-      stimulus_sha256: record.media_sha256?.[0] ?? "",
-      against: others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference),
-      item: response.item,
+      stimulus: means.stimulus ?? stimulus(shown),
+      stimulus_sha256: record.media_sha256?.[means.shown ?? 0] ?? "",
+      against: means.against ?? (others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference)),
+      item: means.item ?? response.item,
       value_raw: raw,
-      value,
-      pole_left,
+      value: means.value,
+      pole_left: means.pole_left,
       rt_ms: isLeftOut ? "" : numberText(response.rt_ms),
       is_practice: truth(trial.practice),
       is_warmup: truth(trial.warm_up),

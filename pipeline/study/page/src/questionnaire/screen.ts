@@ -8,6 +8,8 @@ export interface Screen {
   ready: Promise<void>;
   /** From the beginning. */
   play(): void;
+  /** Before its end; it is not told. */
+  stop(): void;
   /** Whether it has been played to its end. */
   hasEnded(): boolean;
   /** Frames that were not shown since the screen was made; null where that is unknown. */
@@ -75,6 +77,10 @@ function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
       state = "starting";
       if (video.currentTime > 0) video.currentTime = 0;
       video.play().catch(() => told.stalled());
+    },
+    stop() {
+      state = "still";
+      video.pause();
     },
     hasEnded: () => video.ended,
     dropped_frames: () => video.getVideoPlaybackQuality?.().droppedVideoFrames ?? null,

@@ -2,6 +2,7 @@ import type { Media, PlayFault, Settings } from "./experiment";
 import { screenOf, type Screen, type ScreenEvents } from "./screen";
 import { button, element } from "./elements";
 import type { Played, TrialAttempt } from "./attempts";
+import { leaveOutOffer, patienceMs, stopsOfFault, waitForFilmMs } from "./leave_out";
 import type { Texts } from "./texts";
 import { fixedWidth, shownSize, type ShownSize } from "./display";
 import { pairNames } from "./trials/pair";
@@ -29,20 +30,30 @@ export interface Seen {
   volume_events: string;
 }
 
+/** What shows the stimuli of a trial. */
+export interface TrialStage {
+  root: HTMLElement;
+  /** From the beginning, if that is allowed now. */
+  play(): void;
+  /** Focuses what begins to play. */
+  focus(): void;
+  /** The size of the first of the stimuli, if one can be shown. */
+  shownSize(): ShownSize | undefined;
+  /** Whether answers may be given at once: since before a reload as much was seen as is asked for, or where it is the
+      answers that begin to play. */
+  isWatched(): boolean;
+  seen(): Seen;
+  release(): void;
+}
+
 /** More changes of the volume than these are not kept. */
 const mostVolumeEvents = 50;
 
-/** How long a film may stand still before it may be started again. */
-const patienceMs = 6000;
-
-/** How long a participant waits for a film that says nothing before it may be left out. */
-const waitForFilmMs = 20000;
-
-/** After so many stops a film may be left out. */
-const stopsOfFault = 2;
-
 const colours = { alone: "#3d3d3d", to_rate: "#2e7d4f", reference: "#b3403a", left: "#3d3d3d", right: "#3d3d3d",
   member: "#3d3d3d" };
+
+/** Of a figure that is turned. */
+export const stageColour = (role: ShownMedia["role"]): string => colours[role];
 
 /** Between two stimuli that are shown one after the other (questionnaire/session_duration.cpp). */
 const betweenMs = 500;
@@ -51,7 +62,7 @@ const betweenMs = 500;
  * One stimulus, several beside each other, or two one after the other, covered until they are played and after they have
  * ended. Those beside each other begin together. They have been seen when the last has ended.
  */
-export class Stage {
+export class Stage implements TrialStage {
   readonly root: HTMLElement;
   private screens: Screen[] = [];
   private cover: HTMLElement;
@@ -112,16 +123,10 @@ export class Stage {
     this.offerToLeaveOut(fault);
   }
 
-  /** What cannot be played stops nobody: it may be tried again on a page that is loaded anew, or be left out. */
   private offerToLeaveOut(fault: PlayFault): void {
-    const { texts } = this;
-    const again = button(texts.again, () => location.reload(), "main");
-    const without = button(texts.leaveOut, () => this.told.leftOut(fault));
-    this.offer.replaceChildren(element("p", { role: "status" }, texts.leaveOutHow),
-      element("div", { class: "buttons" }, again, without));
+    this.offer.replaceChildren(...leaveOutOffer(this.texts, () => this.told.leftOut(fault)));
   }
 
-  /** Whether the participant has seen as much as is asked for before answering, before the page was reloaded. */
   isWatched(): boolean {
     const { begun, ended } = this.attempt.before;
     return this.settings.watch === "full" ? ended > 0 : begun > 0;
@@ -160,7 +165,6 @@ export class Stage {
     return frame;
   }
 
-  /** The size of the first of the stimuli, if there is one. */
   shownSize(): ShownSize | undefined {
     const [first] = this.screens;
     return first && shownSize(this.settings.display, first.element);
@@ -177,7 +181,6 @@ export class Stage {
     return typeof replays === "number" && before.begun + this.played.begun <= replays;
   }
 
-  /** From the beginning, if that is allowed now. */
   play(): void {
     if (!this.canPlay()) return;
     this.played.begun += 1;

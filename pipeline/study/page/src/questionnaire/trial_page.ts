@@ -1,11 +1,12 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
-import { responsesOf, type Asked } from "./answers";
+import { isMissing, responsesOf, type Asked } from "./answers";
 import { TrialAttempt } from "./attempts";
 import { button, element } from "./elements";
 import type { Experiment, PageRecord, PlayFault, Session, Trial } from "./experiment";
 import { countBlurs } from "./measures";
 import type { Stock } from "./media";
-import { Stage, type ShownMedia } from "./stage";
+import { GridStage } from "./grid_stage";
+import { Stage, type ShownMedia, type TrialStage } from "./stage";
 import type { Texts } from "./texts";
 import { kindOf } from "./trials/trial_kinds";
 
@@ -36,6 +37,9 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
     ({ token, url: stock.get(token), media: experiment.media[token]!, role });
   const [first, second] = trial.media;
+  if (trial.kind === "grid")
+    return [...trial.media.map((token) => shown(token, "member")),
+      ...(trial.reference ? [shown(trial.reference, "reference")] : [])];
   if (trial.media.length > 2) return trial.media.map((token) => shown(token, "member"));
   if (first && second) return [shown(first, "left"), shown(second, "right")];
   if (first && trial.reference) return [shown(first, "to_rate"), shown(trial.reference, "reference")];
@@ -61,7 +65,7 @@ class TrialAtWork {
   private next: HTMLButtonElement;
   private comment = element("textarea", { rows: "2", maxlength: "4000", id: "comment" });
   private asked: Asked[] = [];
-  private stage: Stage | null = null;
+  private stage: TrialStage | null = null;
   private attempt: TrialAttempt;
   private answersSince = performance.now();
   private isOpen = false;
@@ -79,15 +83,20 @@ class TrialAtWork {
     const { trial, around, page } = this;
     const { experiment, texts } = around;
     const shown = shownOf(trial, around);
-    this.asked = kindOf(trial).ask({ trial, experiment, texts,
+    const grid = trial.kind === "grid" ? new GridStage(shown, experiment.settings, texts, this.attempt, this.began,
+      (fault) => void this.leaveOut(fault)) : undefined;
+    this.asked = kindOf(trial).ask({ trial, experiment, texts, grid,
       choices: around.session.choices ?? Object.keys(experiment.choices ?? {}),
       answered: (asked, isKey) => this.answered(asked, isKey) });
-    const isWide = shown.length > 1 && experiment.settings.pairs !== "in_turn";
+    const isWide = grid ? grid.isWide : shown.length > 1 && experiment.settings.pairs !== "in_turn";
     page.classList.add(trial.kind, isWide ? "wide" : "narrow");
     if (experiment.settings.display) page.classList.add("fixed");
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
-    if (shown.length) {
+    if (grid) {
+      this.stage = grid;
+      page.append(grid.root);
+    } else if (shown.length) {
       this.stage = new Stage(shown, experiment.settings, texts, this.attempt, this.began, {
         began: () => { if (experiment.settings.watch === "free") this.open(); },
         ended: () => this.ended(),
@@ -107,8 +116,14 @@ class TrialAtWork {
     this.display.replaceChildren(page);
     scrollTo(0, 0);
     document.addEventListener("keydown", this.pressed);
-    if (this.stage && !this.stage.isWatched()) this.lock();
+    if (this.stage?.isWatched()) this.open();
+    else if (this.stage) this.lock();
     else this.open();
+    // Its buttons can have the focus once the films are loaded.
+    grid?.onChange(() => {
+      if (!page.contains(document.activeElement)) this.focusMissing();
+      this.updateMissing();
+    });
   }
 
   private async leaveOut(fault: PlayFault): Promise<void> {
@@ -181,6 +196,7 @@ class TrialAtWork {
   }
 
   private answered(asked: Asked, isKey: boolean): void {
+    if (this.trial.kind === "grid") this.updateMissing();
     if (!this.missing().length) this.note.textContent = "";
     if (!isKey) return;
     const after = this.asked[this.asked.indexOf(asked) + 1];
@@ -188,7 +204,19 @@ class TrialAtWork {
     else this.next.focus();
   }
 
-  private missing = (): Asked[] => this.asked.filter((one) => one.answer() === null);
+  private missing = (): Asked[] => this.asked.filter(isMissing);
+
+  private sayMissing(missing: Asked[]): void {
+    const { trial, around } = this;
+    this.note.textContent = kindOf(trial).missingText?.(missing, around.texts)
+      ?? around.texts.missing({ count: missing.length });
+    for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
+  }
+
+  /** What is still missing, where that was said. */
+  private updateMissing(): void {
+    if (this.note.textContent) this.sayMissing(this.missing());
+  }
 
   /**
    * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing. Digits
@@ -218,8 +246,7 @@ class TrialAtWork {
     const missing = this.missing();
     if (this.isDone || !this.isOpen) return;
     if (missing.length) {
-      this.note.textContent = this.around.texts.missing({ count: missing.length });
-      for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
+      this.sayMissing(missing);
       missing[0]!.focus();
       return;
     }

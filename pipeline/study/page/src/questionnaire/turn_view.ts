@@ -81,6 +81,10 @@ class TurnScreen implements Screen {
     requestAnimationFrame(this.step);
   }
 
+  stop(): void {
+    this.isOver = true;
+  }
+
   private step = (now: number): void => {
     if (this.isReleased || this.isOver || !this.mixer) return;
     const seconds = within(0, (now - this.last) / 1000, 0.25);

@@ -67,10 +67,17 @@ class Browser {
   }
 }
 
+const sideOf = (scale) => (scale?.strength ? "left_much" : "left");
+
 const valueOf = (experiment, trial, item) => {
-  if (trial.expected) return /^\d+$/.test(trial.expected) ? Number(trial.expected) : trial.expected;
-  if (trial.kind === "pair") return "left";
+  // Places in a set are chosen, not numbers.
+  if (trial.expected)
+    return /^\d+$/.test(trial.expected) && !/\/(best|worst)$/.test(item) ? Number(trial.expected) : trial.expected;
+  const own = { pair: sideOf(experiment.items[item]), same_different: "same", yes_no: "yes",
+    two_interval: "first", best_worst: item.endsWith("/best") ? "1" : "2", grid: Math.floor(101 * random()) };
+  if (trial.kind in own) return own[trial.kind];
   if (trial.kind === "emotion" && !experiment.items[item]) return Object.keys(experiment.choices)[0];
+  if (experiment.items[item].slider) return Math.floor(101 * random());
   return experiment.items[item].words ? "heavy" : 1 + Math.floor(random() * experiment.items[item].points);
 };
 

@@ -26,9 +26,21 @@ const namedPlace = (inputs, wanted) => {
     input.labels[0].innerText === asked), word);
 };
 
+/** Plays all films of a grid, and the reference, by their buttons. */
+async function playGrid(page, press) {
+  for (const [index, play] of (await page.locator(".play-film").all()).entries()) {
+    await page.waitForFunction((at) => !document.querySelectorAll(".play-film")[at].disabled, index, { timeout: 30000 });
+    await press(play);
+    await page.waitForFunction((at) => document.querySelectorAll(".play-film .seen-mark")[at].textContent, index,
+      { timeout: 30000 });
+  }
+}
+
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
 async function answerByMouse(page, number, careless) {
-  if (await page.locator(".stage").count()) {
+  if (await page.locator(".grid-stage").count()) {
+    await playGrid(page, (play) => play.click());
+  } else if (await page.locator(".stage").count()) {
     await page.locator(".play").click();
     await openAnswers(page);
   }
@@ -42,15 +54,35 @@ async function answerByMouse(page, number, careless) {
   }
   for (const slider of await page.locator('.asked input[type="range"]').all()) {
     const box = await slider.boundingBox();
-    await slider.click({ position: { x: box.width * 0.7, y: box.height / 2 } });
+    const share = /rightmost|to the right/.test(wanted) ? 0.999 : /leftmost|to the left/.test(wanted) ? 0.001 : 0.7;
+    await slider.click({ position: { x: box.width * share, y: box.height / 2 } });
   }
   for (const words of await page.locator(".asked.words textarea, .asked.words input").all()) await words.fill("slow, heavy");
   if (await page.locator("#comment").count()) await page.locator("#comment").fill(`comment, "${number}"`);
   await page.locator(".answers .main").click();
 }
 
+/** A grid by keys: Enter goes to what is missing, a button that plays or a slider. */
+async function answerGridByKeys(page) {
+  await page.waitForFunction(() => document.activeElement?.matches(".play-film"), null, { timeout: 30000 });
+  await playGrid(page, async (play) => {
+    await play.focus();
+    await page.keyboard.press("Space");
+  });
+  for (let i = 0; i < (await page.locator(".grid-row[data-place]").count()); i += 1) {
+    await page.locator(".answers .main").focus();
+    await page.keyboard.press("Enter");  // says what is missing, and goes there
+    await page.waitForFunction((at) => document.activeElement?.closest(".grid-row")?.dataset.place === String(at), i + 1);
+    for (let step = 0; step <= i; step += 1) await page.keyboard.press("ArrowRight");
+  }
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => document.activeElement?.matches(".answers .main"));
+  await page.keyboard.press("Enter");
+}
+
 /** The same without a mouse: whatever has the focus is used. */
 async function answerByKeys(page, number) {
+  if (await page.locator(".grid-stage").count()) return answerGridByKeys(page);
   const focus = (what) => page.waitForFunction((css) => document.activeElement?.matches(css), what, { timeout: 30000 });
   if (await page.locator(".stage").count()) {
     await focus(".play");

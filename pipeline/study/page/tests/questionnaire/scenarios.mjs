@@ -138,7 +138,14 @@ async function accessibility(how = desktop) {
   await take(page, { each: async (sight, number) => {
     if (sight === "load") return false;
     await check(`${sight} ${number}`);
-    if (sight === "trial" && number < 3 && await page.locator(".stage").count()) {
+    if (sight === "trial" && await page.locator(".grid-stage").count()) {
+      await page.waitForFunction(() => !document.querySelector(".play-film:disabled"));
+      await page.locator(".play-film").nth(1).click();
+      await check(`a film of the grid of trial ${number}`);
+      await page.waitForFunction(() => !document.querySelector(".stage.playing"));
+      await page.locator(".answers .main").click();
+      await check(`what is missing in the grid of trial ${number}`);
+    } else if (sight === "trial" && number < 3 && await page.locator(".stage").count()) {
       await page.locator(".play").click();
       await page.waitForFunction(() => !document.querySelector(".answers").inert);
       await check(`answers of trial ${number}`);
@@ -651,6 +658,7 @@ async function takeToTrial(page) {
     if (isThere) throw "there";
     return false;
   } }).catch((why) => { if (why !== "there") throw why; });
+  if (await page.locator(".grid-stage").count()) return;
   await page.locator(".play").click();
   await page.waitForFunction(() => !document.querySelector(".answers").inert, null, { timeout: 30000 });
 }
@@ -722,11 +730,55 @@ async function set() {
   return { barred, chosen: await state(), troubles };
 }
 
+/** A grid with a reference, answered little by little: what the page says is missing, and what is seen. */
+async function grid() {
+  const { page, troubles } = await open(`${onDisk}?participant=p001`);
+  await takeToTrial(page);
+  await page.waitForFunction(() => !document.querySelector(".play-film:disabled"));
+  const next = page.locator(".answers .main");
+  const films = page.locator(".play-film");
+  const seen = (at) => page.waitForFunction((index) =>
+    document.querySelectorAll(".play-film .seen-mark")[index].textContent, at);
+  const notes = [];
+  const say = async () => {
+    await next.click();
+    notes.push(await page.locator(".answers .note").textContent());
+  };
+  const shown = () => page.evaluate(() => [...document.querySelectorAll(".grid-stage video")]
+    .map((one) => getComputedStyle(one).visibility === "visible" && !!one.offsetWidth));
+  const covered = await shown();
+  await say();
+  await films.nth(0).click();
+  await seen(0);
+  await say();
+  // One film stops another; only one is to be seen.
+  await films.nth(1).click();
+  await films.nth(2).click();
+  const during = await shown();
+  await seen(2);
+  const isStopped = !(await films.nth(1).locator(".seen-mark").textContent());
+  await say();
+  const slider = page.locator(".grid-slider input");
+  await slider.nth(2).focus();
+  await page.keyboard.press("End");
+  await page.keyboard.press("Space");  // plays the film of the row
+  await seen(3);
+  await say();
+  await films.nth(1).click();
+  await seen(1);
+  await slider.nth(0).press("Home");
+  await slider.nth(1).press("ArrowLeft");
+  const values = await page.locator(".grid-value").allTextContents();
+  await next.click();
+  await page.waitForFunction(() => !document.querySelector(".grid-stage"));
+  return { covered, notes, during, isStopped, values, troubles };
+}
+
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
-  thanks_again: thanksAgain, crowded, heard, languages, set };
+  thanks_again: thanksAgain, crowded, heard, languages, set, grid };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

@@ -182,7 +182,7 @@ TEST_F(Records, OfASetWhoseBestIsItsWorstAreRefused) {
   EXPECT_THROW(give(3, "1"), RecordFault);
   text["media_sha256"] = nlohmann::json(std::vector<std::string>(6, ""));
   EXPECT_THROW(give("3", "1"), RecordFault) << "more media than stimuli";
-  text["media_sha256"] = nlohmann::json(std::vector<std::string>(9, ""));
+  text["media_sha256"] = nlohmann::json(std::vector<std::string>(17, ""));
   EXPECT_THROW(read_record(text), RecordFault);
 }
 
