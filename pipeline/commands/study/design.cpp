@@ -19,6 +19,7 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/production/methods/methods.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/power/power_output.h"
 #include "pipeline/study/questionnaire/balance.h"
@@ -57,6 +58,7 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
 FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                              const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
+  files["procedure.md"] = procedure_of(manifest);
   add_dummy_answers(files, manifest, plans);
   add_dummy_report(files, manifest, plans);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
