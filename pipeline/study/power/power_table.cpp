@@ -62,7 +62,7 @@ bool is_same_test(const Row& one, const Row& other) {
 
 /// "76.7 ± 2.4 (false positives 54.7)"
 std::string power_text(const Row& row) {
-  if (row.studies == 0) return "not possible";
+  if (row.studies == 0) return "not possible, because too few participants rate every cell";
   return fmt::format("{:.1f} ± {:.1f} (false positives {:.1f})", 100.0 * row.power.share,
                      100.0 * row.power_error, 100.0 * row.false_positives.share);
 }
@@ -111,7 +111,9 @@ std::vector<std::string> planned_power_lines(const std::vector<Row>& rows, int p
           counted_noun(static_cast<std::size_t>(row.stimuli_per_cell), "stimulus", "stimuli"));
     line += row.by == TestedBy::participants ? "participants random: "
                                              : "participants and stimuli random: ";
-    lines.push_back(line + power_text(row) + "; " + needed_text(rows, row, wanted_power, alpha));
+    line += power_text(row);
+    if (row.studies > 0) line += "; " + needed_text(rows, row, wanted_power, alpha);
+    lines.push_back(line);
   }
   return lines;
 }

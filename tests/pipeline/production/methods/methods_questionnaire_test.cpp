@@ -194,6 +194,13 @@ TEST_F(MethodsQuestionnaire, BeginsNoSentenceWithANumeral) {
   EXPECT_EQ(sentence_start("Of 3 stimuli"), "Of 3 stimuli");
 }
 
+TEST_F(MethodsQuestionnaire, StandsInPreregistrationsWithoutTheStimuli) {
+  const std::string text = methods_of_asked("participants: 4, scales: [sad-happy]");
+  const ManifestReading reading =
+      check_manifest(folder() / "m.yaml", [](const std::string&) { return std::nullopt; });
+  EXPECT_EQ(procedure_of(reading.manifest), text.substr(text.find("# Participants")));
+}
+
 TEST_F(MethodsQuestionnaire, HasNoSectionsWithoutOne) {
   const std::string text = methods_for(
       "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, weights: "

@@ -329,6 +329,12 @@ TEST(PlannedPower, SaysThatItIsSimulatedAndWhereATestIsNotValid) {
   }
   EXPECT_EQ(inflated, 2);
   EXPECT_EQ(valid, 2);
+  manifest.questionnaire->per_participant = 1;  // of eight, so that nobody sees both cells
+  options.stimuli_per_cell.clear();
+  const auto impossible = planned_power_lines(planned_power(manifest, options), 20, 0.8, 0.05);
+  EXPECT_EQ(impossible.back(),
+            "  4 stimuli per cell, participants random: not possible, because too few participants "
+            "rate every cell");
   const Plot chart = power_chart("planned", rows, 0.8);
   const auto canvas = Canvas::svg(chart.width, chart.height);
   chart.draw(*canvas);
