@@ -131,6 +131,11 @@ std::string factorial_sentence(const FactorialPlan& plan, AnalysedAnswers answer
                        plan.factors.empty() ? "the stimuli"
                                             : fmt::format("the combinations of the levels of {}",
                                                           fmt::join(plan.factors, " and ")));
+  if (answers == AnalysedAnswers::ratings && plan.random_slopes)
+    text +=
+        ", and by mixed models with random intercepts of participants and stimuli and random "
+        "slopes "
+        "of the factors for participants";
   if (plan.contrasts.empty()) return text;
   std::vector<std::string> names;
   for (const PlannedContrast& contrast : plan.contrasts) names.push_back(contrast_text(contrast));

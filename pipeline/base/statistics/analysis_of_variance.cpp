@@ -39,20 +39,6 @@ MatrixXd kronecker(const MatrixXd& a, const MatrixXd& b) {
   return product;
 }
 
-/// The orthonormal contrasts of cells that span the effect of these factors.
-MatrixXd contrasts_of(const std::vector<std::size_t>& factors, const std::vector<int>& levels) {
-  MatrixXd contrasts = MatrixXd::Ones(1, 1);
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const Index n = levels[i];
-    const bool is_in = std::ranges::find(factors, i) != factors.end();
-    contrasts =
-        kronecker(contrasts,
-                  is_in ? helmert(n)
-                        : MatrixXd(VectorXd::Constant(n, 1.0 / std::sqrt(static_cast<double>(n)))));
-  }
-  return contrasts;
-}
-
 /// All subsets of factors, the empty one included, by size and then by their members.
 std::vector<std::vector<std::size_t>> subsets(std::size_t factors) {
   std::vector<std::vector<std::size_t>> all;
@@ -120,7 +106,7 @@ struct GroupedScores {
   }
 };
 
-void finish(VarianceEffect& effect) {
+void finish(VarianceEffect& effect, EffectIntervals intervals) {
   if (effect.error_squares <= 0.0) {
     effect.f = effect.p = effect.p_corrected = effect.partial_eta = effect.generalized_eta =
         effect.partial_eta_low = effect.partial_eta_high = no_test;
@@ -134,6 +120,10 @@ void finish(VarianceEffect& effect) {
   effect.p = p_of(1.0);
   effect.p_corrected = p_of(effect.epsilon);
   effect.partial_eta = effect.squares / (effect.squares + effect.error_squares);
+  if (intervals == EffectIntervals::omitted) {
+    effect.partial_eta_low = effect.partial_eta_high = no_test;
+    return;
+  }
   const EffectInterval interval = partial_eta_interval(effect.f, effect.epsilon * effect.degrees,
                                                        effect.epsilon * effect.error_degrees);
   effect.partial_eta_low = interval.low;
@@ -154,9 +144,32 @@ void set_generalized_eta(std::vector<VarianceEffect>& effects, double error_squa
 
 }  // namespace
 
+std::vector<VarianceTerm> variance_terms(std::size_t factors, bool has_groups) {
+  std::vector<VarianceTerm> terms;
+  for (const std::vector<std::size_t>& members : subsets(factors)) {
+    if (!members.empty()) terms.push_back({members, false});
+    if (has_groups) terms.push_back({members, true});
+  }
+  return terms;
+}
+
+MatrixXd effect_contrasts(const std::vector<std::size_t>& factors, const std::vector<int>& levels) {
+  MatrixXd contrasts = MatrixXd::Ones(1, 1);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Index n = levels[i];
+    const bool is_in = std::ranges::find(factors, i) != factors.end();
+    contrasts =
+        kronecker(contrasts,
+                  is_in ? helmert(n)
+                        : MatrixXd(VectorXd::Constant(n, 1.0 / std::sqrt(static_cast<double>(n)))));
+  }
+  return contrasts;
+}
+
 std::vector<VarianceEffect> analysis_of_variance(const MatrixXd& cells,
                                                  const std::vector<int>& levels,
-                                                 const std::vector<std::size_t>& groups) {
+                                                 const std::vector<std::size_t>& groups,
+                                                 EffectIntervals intervals) {
   const bool has_groups = !groups.empty() && std::ranges::max(groups) > 0;
   const double group_count = has_groups ? 1.0 + static_cast<double>(std::ranges::max(groups)) : 1.0;
   const auto people = static_cast<double>(cells.rows());
@@ -166,7 +179,7 @@ std::vector<VarianceEffect> analysis_of_variance(const MatrixXd& cells,
   std::vector<VarianceEffect> effects;
   double all_errors = 0.0;
   for (const std::vector<std::size_t>& factors : subsets(levels.size())) {
-    const MatrixXd scores = cells * contrasts_of(factors, levels);
+    const MatrixXd scores = cells * effect_contrasts(factors, levels);
     const GroupedScores grouped(scores, has_groups ? groups : std::vector<std::size_t>());
     VarianceEffect effect;
     effect.factors = factors;
@@ -180,14 +193,14 @@ std::vector<VarianceEffect> analysis_of_variance(const MatrixXd& cells,
                        (effect.degrees * squared_norm_of_product(grouped.residuals));
     if (!factors.empty()) {
       effect.squares = grouped.squares_of_mean();
-      finish(effect);
+      finish(effect, intervals);
       effects.push_back(effect);
     }
     if (!has_groups) continue;
     effect.by_group = true;
     effect.degrees *= group_count - 1.0;
     effect.squares = grouped.squares_of_groups();
-    finish(effect);
+    finish(effect, intervals);
     effects.push_back(effect);
   }
   set_generalized_eta(effects, all_errors);

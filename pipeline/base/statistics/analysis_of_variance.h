@@ -33,6 +33,23 @@ struct VarianceEffect {
   double generalized_eta = 0.0;
 };
 
+/// An effect of an analysis of variance, without its test.
+struct VarianceTerm {
+  std::vector<std::size_t> factors;  ///< as in VarianceEffect
+  bool by_group = false;
+};
+
+/// The effects of so many factors within participants, in the order of analysis_of_variance.
+std::vector<VarianceTerm> variance_terms(std::size_t factors, bool has_groups);
+
+/// Orthonormal contrasts between cells, a column each, that span the effect of these factors: the
+/// last factor's levels vary fastest.
+Eigen::MatrixXd effect_contrasts(const std::vector<std::size_t>& factors,
+                                 const std::vector<int>& levels);
+
+/// Whether the intervals of effect sizes are computed, which takes longest.
+enum class EffectIntervals { computed, omitted };
+
 /// Analysis of variance of repeated measures, with or without groups of participants of possibly
 /// different sizes. Each effect is tested by the orthonormal contrasts that span it, as in a
 /// multivariate linear model (type III sums of squares: all group means have equal weight).
@@ -44,9 +61,10 @@ struct VarianceEffect {
 ///
 /// Effects are sorted by the number of their factors within participants, then by these; each is
 /// followed by its interaction with groups, and the main effect of groups comes first.
-std::vector<VarianceEffect> analysis_of_variance(const Eigen::MatrixXd& cells,
-                                                 const std::vector<int>& levels,
-                                                 const std::vector<std::size_t>& groups = {});
+std::vector<VarianceEffect> analysis_of_variance(
+    const Eigen::MatrixXd& cells, const std::vector<int>& levels,
+    const std::vector<std::size_t>& groups = {},
+    EffectIntervals intervals = EffectIntervals::computed);
 
 /// The half width of a confidence interval of each cell's mean for comparisons within
 /// participants: participants' means are removed (Cousineau 2005), and the variance is multiplied

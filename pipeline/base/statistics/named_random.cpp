@@ -14,6 +14,12 @@ namespace {
 
 constexpr double two_pi = 6.28318530717958647692;
 
+/// A standard normal number from two random ones (Box and Muller 1958).
+double normal_of(std::uint64_t radius, std::uint64_t angle) {
+  return std::sqrt(-2.0 * std::log(open_unit_number(radius))) *
+         std::cos(two_pi * open_unit_number(angle));
+}
+
 }  // namespace
 
 double uniform(std::uint64_t seed, std::string_view name) {
@@ -22,9 +28,11 @@ double uniform(std::uint64_t seed, std::string_view name) {
 
 double normal(std::uint64_t seed, std::string_view name) {
   const XXH128_hash_t bits = XXH3_128bits_withSeed(name.data(), name.size(), seed);
-  // Box and Muller 1958.
-  return std::sqrt(-2.0 * std::log(open_unit_number(bits.low64))) *
-         std::cos(two_pi * open_unit_number(bits.high64));
+  return normal_of(bits.low64, bits.high64);
+}
+
+double normal_number(std::uint64_t stream, std::uint64_t n) {
+  return normal_of(motion::random_bits(stream, 2 * n), motion::random_bits(stream, 2 * n + 1));
 }
 
 }  // namespace mien::pipeline

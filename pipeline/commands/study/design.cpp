@@ -12,13 +12,16 @@
 #include "pipeline/commands/line/production_options.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
+#include "pipeline/commands/study/planned_tests.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/production/methods/methods.h"
 #include "pipeline/production/run/study_inputs.h"
+#include "pipeline/study/power/power_output.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/power.h"
@@ -55,6 +58,7 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
 FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                              const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
+  files["procedure.md"] = procedure_of(manifest);
   add_dummy_answers(files, manifest, plans);
   add_dummy_report(files, manifest, plans);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
@@ -79,6 +83,7 @@ struct DesignCommand {
   std::vector<double> spread;
   std::vector<std::string> between;
   PowerOptions question;
+  PlannedTestsCommand planned;
   std::string frozen;
   std::string out = "out";
 };
@@ -113,7 +118,9 @@ std::vector<ScaleSpread> spreads_of(const DesignCommand& command, const Manifest
                 "give ratings on the scales that are asked, or --spread");
   }
   if (command.spread.empty()) return {{"", {}}};
-  return {{"", {command.spread[0], command.spread[1], command.spread[2]}}};
+  return {{"",
+           {command.spread[0], command.spread[1], command.spread[2],
+            command.spread.size() > 3 ? command.spread[3] : 0.0}}};
 }
 
 /// The power for one scale; without a name, for ratings in general.
@@ -139,6 +146,19 @@ void print_power(const DesignCommand& command, const Manifest& manifest, const C
   take_between(command.between, question);
   for (const ScaleSpread& scale : spreads_of(command, manifest))
     print_power_of(scale, question, manifest, console, out);
+}
+
+/// The planned tests, simulated with the assumptions of the command.
+std::optional<PlannedTestsResult> planned_tests_of(const DesignCommand& command,
+                                                   const Manifest& manifest,
+                                                   const Console& console) {
+  if (command.planned.table.empty()) return std::nullopt;
+  return simulate_planned_tests(command.planned,
+                                {.spreads = spreads_of(command, manifest),
+                                 .difference = command.question.difference,
+                                 .studies = command.question.studies,
+                                 .seed = manifest.seed},
+                                manifest, console);
 }
 
 std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }
@@ -177,7 +197,7 @@ void warn_of_no_plan(const Manifest& manifest, const Console& console) {
 
 /// Input files of the tables and the archive, which must not be overwritten.
 std::vector<fs::path> files_of_design(const DesignCommand& command, const Manifest& manifest) {
-  std::vector<fs::path> files = {fs::path(command.ratings)};
+  std::vector<fs::path> files = {fs::path(command.ratings), fs::path(command.planned.truth)};
   for (const InputCopy& input : input_copies(manifest)) files.push_back(input.source);
   return files;
 }
@@ -193,9 +213,15 @@ int design(const DesignCommand& command, const Console& console) {
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
   const std::vector<SessionPlan> plans = plan_sessions(manifest, video_seconds(manifest));
   const Balance balance = balance_of(manifest, plans);
-  const std::vector<NewTable> tables = {{command.plans, plans_csv(plans)},
-                                        {command.balance, balance_csv(balance)}};
+  std::vector<NewTable> tables = {{command.plans, plans_csv(plans)},
+                                  {command.balance, balance_csv(balance)}};
+  if (!command.planned.table.empty()) {
+    tables.push_back({command.planned.table, power_table({}).csv});
+    refuse_figure_loss(command.planned);
+  }
   refuse_data_loss(tables, files_of_design(command, manifest), command.frozen);
+  const std::optional<PlannedTestsResult> tests = planned_tests_of(command, manifest, console);
+  if (tests) tables.back().csv = power_table(tests->rows).csv;
   std::optional<FrozenArchive> archive;
   if (!command.frozen.empty())
     archive =
@@ -205,7 +231,10 @@ int design(const DesignCommand& command, const Console& console) {
   if (command.plans.empty()) console.out << tables[0].csv;
   print_design(manifest, plans, balance, console, out);
   print_warnings(questionnaire_warnings(manifest), console);
-  if (command.power) print_power(command, manifest, console, out);
+  if (tests)
+    print_planned_tests(*tests, command.question.wanted_power, manifest, out);
+  else if (command.power)
+    print_power(command, manifest, console, out);
   if (archive) {
     warn_of_no_plan(manifest, console);
     write_archive(*archive);
@@ -216,6 +245,8 @@ int design(const DesignCommand& command, const Console& console) {
     write_file(table.file, table.csv);
     out << table.file.string() << '\n';
   }
+  if (tests)
+    write_power_figure(command.planned, *tests, command.question.wanted_power, manifest, out);
   return exit_done;
 }
 
@@ -226,11 +257,12 @@ std::vector<CommandOption> power_options(DesignCommand& options) {
              "With --power: answers (CSV) from which the raters' variances are estimated")
           .needs("--power"),
       option("--spread", &options.spread,
-             "With --power: standard deviations of participants, stimuli and residual, in scale "
-             "points [0.5,0.5,0.8]")
+             "With --power: standard deviations of participants, stimuli and residual and, for "
+             "--planned-tests, of participants in the cells of the design, in scale points "
+             "[0.5,0.5,0.8,0]")
           .needs("--power")
           .with_commas()
-          .values(3, 3)
+          .values(3, 4)
           .between(0.0, 1000.0),
       option("--difference", &options.question.difference,
              "With --power: the difference to be detected, in scale units (most scales go from -2 "
@@ -266,7 +298,7 @@ Command study_design_command() {
           option("--participants", &options->participants,
                  "Number of participants (default: as in the manifest)")
               .between(1, 10000),
-          power_options(*options),
+          power_options(*options), planned_tests_options(options->planned),
           option("--freeze", &options->frozen,
                  "Archive (.zip) for a preregistration: plans, manifest, analysis plan and hashes "
                  "of all media")
@@ -280,6 +312,8 @@ Command study_design_command() {
           "Examples:\n"
           "  mien study design emotion-study -o plans.csv --balance balance.csv\n"
           "  mien study design study.yaml -o plans.csv --power --ratings pilot.csv\n"
+          "  mien study design study.yaml -o plans.csv --power --planned-tests power.csv "
+          "--at-stimuli 2,4,8\n"
           "  mien study design study.yaml -o plans.csv --freeze preregistration.zip",
       .run = [options](const Console& console) { return design(*options, console); }};
 }

@@ -20,6 +20,7 @@
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/service.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "pipeline/study/results/answer_set.h"
 #include "pipeline/study/server/http_server.h"
 
 namespace mien::pipeline {
@@ -176,11 +177,17 @@ int serve_study(ServedStudy& study, SessionStore& store, const ServeOptions& opt
     print_links(options, files, base, service.sessions(), console);
     failures.wait(service);
   }
-  int finished = 0;
-  for (const SessionState& state : service.sessions().states())
+  // Sessions of links that nobody has opened are no participants.
+  std::size_t begun = 0;
+  std::size_t finished = 0;
+  for (const SessionState& state : service.sessions().states()) {
+    begun += state.stored > 0 ? 1 : 0;
     finished += state.has_finished() ? 1 : 0;
-  console.err << fmt::format("{} of {} participants have finished; {} records stored\n", finished,
-                             service.sessions().states().size(), store.records().size());
+  }
+  console.err << fmt::format("{} of {} who began {} finished; {} stored\n", finished,
+                             counted_noun(begun, "participant", "participants"),
+                             finished == 1 ? "has" : "have",
+                             counted_noun(store.records().size(), "record", "records"));
   return exit_done;
 }
 

@@ -18,21 +18,40 @@ void describe_program(MethodsText& out) {
                       program_version(), out.manifest.seed));
 }
 
+/// "speed (fast, slow)"; empty unless there are two levels.
+std::string factor_text(const Manifest& manifest, const std::string& factor) {
+  Names levels;
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    const std::string level = level_of(stimulus, factor);
+    if (!level.empty()) add_once(levels, level);
+  }
+  if (levels.size() < 2) return "";
+  return levels.size() > 12 ? fmt::format("{} ({} levels)", factor, levels.size())
+                            : fmt::format("{} ({})", factor, fmt::join(levels, ", "));
+}
+
+/// The factors of the design: what describes a single motion, such as its example, is none.
 void describe_design(MethodsText& out) {
   Names factors;
-  for (const std::string& factor : factors_of(out.manifest)) {
-    Names levels;
-    for (const Stimulus& stimulus : out.manifest.stimuli) {
-      const std::string level = level_of(stimulus, factor);
-      if (!level.empty()) add_once(levels, level);
-    }
-    factors.push_back(levels.size() > 12 ? fmt::format("{} ({} levels)", factor, levels.size())
-                                         : fmt::format("{} ({})", factor, fmt::join(levels, ", ")));
-  }
+  for (const std::string& factor : studied_factors(out.manifest))
+    if (const std::string text = factor_text(out.manifest, factor); !text.empty())
+      factors.push_back(text);
   if (!factors.empty()) {
     out.say(fmt::format("{} {}", factors.size() == 1 ? "The factor was" : "The factors were",
                         listed(factors)));
   }
+}
+
+/// What the participants of a questionnaire see and do.
+void describe_questionnaire(MethodsText& out) {
+  out.begin_section("Participants");
+  describe_participants(out);
+  out.begin_section("Procedure");
+  describe_trials(out);
+  out.begin_section("Analysis");
+  describe_tests(out);
+  describe_factorial_plan(out);
+  describe_quality_rules(out);
 }
 
 void describe_files(MethodsText& out) {
@@ -51,6 +70,14 @@ void describe_paths(MethodsText& out) {
 
 }  // namespace
 
+std::string procedure_of(const Manifest& manifest) {
+  Motions motions(manifest);
+  MethodsText out(manifest, motions);
+  describe_questionnaire(out);
+  const std::string text = out.text();
+  return text.substr(text.find("# Participants")) + "\n";
+}
+
 Methods methods_of(const Manifest& manifest, Motions& motions) {
   MethodsText out(manifest, motions);
   describe_program(out);
@@ -65,8 +92,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   out.end_paragraph();
   describe_pictures(out);
   out.end_paragraph();
-  describe_factorial_plan(out);
-  describe_quality_rules(out);
+  if (manifest.questionnaire) describe_questionnaire(out);
   out.end_paragraph();
   std::string text = out.text();
   text.pop_back();  // one line end is enough

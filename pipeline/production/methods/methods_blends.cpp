@@ -75,7 +75,7 @@ void describe_deviations(MethodsText& out) {
   if (missed.count == 0) return;
   out.say(fmt::format(
       "The values reached deviated from the {}{} (on scales from 0 to 1) {}",
-      count_of(static_cast<std::size_t>(missed.count), "requested value", "requested values"),
+      missed.count == 1 ? "requested value" : fmt::format("{} requested values", missed.count),
       has_modified ? " of unmodified stimuli" : "", deviation_text(missed)));
 }
 
@@ -107,9 +107,10 @@ void describe_holds(MethodsText& out) {
       missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
   }
   if (missed.count == 0) return;
-  out.say(fmt::format("The values reached deviated from the {} {}",
-                      count_of(static_cast<std::size_t>(missed.count), "held value", "held values"),
-                      deviation_text(missed)));
+  out.say(
+      fmt::format("The values reached deviated from the {} {}",
+                  missed.count == 1 ? "held value" : fmt::format("{} held values", missed.count),
+                  deviation_text(missed)));
 }
 
 }  // namespace

@@ -13,6 +13,18 @@ namespace mien::pipeline {
 
 namespace {
 
+/// Number of examples that stimuli with given weights use; 0 if others depend on all examples.
+std::size_t used_examples(const MethodsText& out) {
+  if (!stimuli_from(out.manifest, "adjectives").empty() ||
+      !stimuli_from(out.manifest, "features").empty())
+    return 0;
+  std::set<std::string> used;
+  for (const Stimulus* stimulus : stimuli_from(out.manifest, "weights"))
+    for (const auto& [name, weight] : stimulus->weights)
+      if (weight > 0.0) used.insert(name);
+  return used.size();
+}
+
 void describe_repertoire(MethodsText& out) {
   const Repertoire& repertoire = out.motions.repertoire();
   const std::size_t count = repertoire.names.size();
@@ -23,6 +35,8 @@ void describe_repertoire(MethodsText& out) {
     out.say(fmt::format("The examples were {}",
                         count_of(count, "recorded motion", "recorded motions")));
   }
+  if (const std::size_t used = used_examples(out); used > 0 && used < count)
+    out.say(fmt::format("Of these, {} used", count_of(used, "was", "were")));
   Range seconds;
   int loops = 0;
   for (const motion::Example& example : repertoire.examples.examples) {
@@ -69,7 +83,7 @@ void describe_ratings(MethodsText& out) {
   const Impressions& impressions = *repertoire.impressions;
   const std::string scales =
       count_of(impressions.scales.size(), "scale", "scales") +
-      (out.manifest.scales.file.empty() ? " (published adjective pairs)" + out.cite({"adjectives"})
+      (out.manifest.scales.file.empty() ? " of published adjective pairs" + out.cite({"adjectives"})
                                         : "");
   const std::size_t raters = raters_of(repertoire.answers);
   Range answers;

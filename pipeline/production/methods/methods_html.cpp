@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <regex>
 #include <string>
 
@@ -41,12 +42,21 @@ std::string with_labels(const std::string& text) {
 
 std::string methods_html(const std::string& markdown) {
   std::string html;
-  std::size_t start = markdown.find("\n\n");  // behind the heading
-  while (start != std::string::npos && start + 2 < markdown.size()) {
-    start += 2;
-    const std::size_t end = markdown.find("\n\n", start);
-    html += "<p>" + html_escaped(with_labels(markdown.substr(start, end - start))) + "</p>\n";
-    start = end;
+  std::size_t start = 0;
+  bool is_first_heading = true;  // which the page has itself
+  while (start < markdown.size()) {
+    const std::size_t end = std::min(markdown.find("\n\n", start), markdown.size());
+    std::string part = markdown.substr(start, end - start);
+    start = end + 2;
+    while (part.ends_with('\n')) part.pop_back();
+    if (part.starts_with("# ")) {
+      if (!is_first_heading) html += "<h3>" + html_escaped(part.substr(2)) + "</h3>\n";
+      is_first_heading = false;
+    } else if (!part.empty()) {
+      const bool is_note = part.starts_with("> ");
+      const std::string text = html_escaped(with_labels(is_note ? part.substr(2) : part));
+      html += is_note ? "<blockquote><p>" + text + "</p></blockquote>\n" : "<p>" + text + "</p>\n";
+    }
   }
   return html;
 }

@@ -1,22 +1,52 @@
 #include "pipeline/production/methods/methods_parts.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pipeline/production/methods/references.h"
+
 namespace mien::pipeline {
 
 void MethodsText::say(const std::string& sentence) {
   if (!text_.ends_with("\n")) text_ += " ";
-  text_ += sentence + ".";
+  text_ += sentence_start(sentence) + ".";
 }
 
 void MethodsText::end_paragraph() { text_ += text_.ends_with(".") ? "\n\n" : ""; }
 
+void MethodsText::begin_section(const std::string& heading) {
+  end_paragraph();
+  text_ += "# " + heading + "\n\n";
+}
+
 std::string MethodsText::cite(const Names& keys) {
-  if (keys.empty()) return "";
-  std::string text;
+  std::string cited, incomplete;
   for (const std::string& key : keys) {
-    text += (text.empty() ? "@" : "; @") + key;
-    add_once(cited_, key);
+    const Reference* reference = find_reference(key);
+    if (reference == nullptr || reference->missing.empty()) {
+      cited += (cited.empty() ? "@" : "; @") + key;
+      add_once(cited_, key);
+      continue;
+    }
+    add_once(incomplete_, key);
+    const auto place = std::ranges::find(incomplete_, key) - incomplete_.begin();
+    incomplete += fmt::format("{}source {} above", incomplete.empty() ? "" : "; ", place + 1);
   }
-  return " [" + text + "]";
+  return (cited.empty() ? "" : " [" + cited + "]") +
+         (incomplete.empty() ? "" : " (" + incomplete + ")");
+}
+
+std::string MethodsText::text() const {
+  if (incomplete_.empty()) return text_;
+  std::string note = fmt::format(
+      "> To be completed by the author of the study: {} not known well enough to be cited. Look {} "
+      "up, and replace the {} in the text.",
+      incomplete_.size() == 1 ? "the following work is" : "the following works are",
+      incomplete_.size() == 1 ? "it" : "them", incomplete_.size() == 1 ? "number" : "numbers");
+  for (std::size_t i = 0; i < incomplete_.size(); ++i)
+    note += fmt::format(" Source {}: {}.", i + 1, find_reference(incomplete_[i])->missing);
+  return note + "\n\n" + text_;
 }
 
 MethodWords words_of(motion::InterpolationMethod method) {

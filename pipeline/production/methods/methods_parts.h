@@ -21,15 +21,22 @@ class MethodsText {
   void say(const std::string& sentence);
   void end_paragraph();
 
-  /// Returns a citation, " [@rose1998; @sloan2001]", and records the cited works.
+  /// Begins a section with paragraphs of its own.
+  void begin_section(const std::string& heading);
+
+  /// Returns a citation, " [@rose1998; @sloan2001]", and records the cited works. Works that cannot
+  /// be cited as they are known (Reference::missing) are named by a number, " (source 1 above)",
+  /// under which `text` lists them.
   std::string cite(const Names& keys);
 
-  const std::string& text() const { return text_; }
+  /// The text. Works to be completed before they can be cited are listed once, at its beginning.
+  std::string text() const;
   const Names& cited() const { return cited_; }
 
  private:
   std::string text_ = "# Stimuli\n\n";
   Names cited_;
+  Names incomplete_;
 };
 
 // The parts of the methods section. A part that does not apply to the study writes nothing.
@@ -65,6 +72,15 @@ void describe_example_settings(MethodsText& out);
 /// The settings of a matching experiment that differ from their defaults: the order of guesses and
 /// matches, and whether the examples are played beside the task.
 void describe_matching_settings(MethodsText& out);
+
+/// Participants: number, recruitment, screening, consent, questions about them, and language.
+void describe_participants(MethodsText& out);
+
+/// The trials of the questionnaire: task, presentation and order.
+void describe_trials(MethodsText& out);
+
+/// Level of significance, correction, and exclusion by attention checks.
+void describe_tests(MethodsText& out);
 
 /// The factors and contrasts by which answers to the questionnaire are analysed, if stated.
 void describe_factorial_plan(MethodsText& out);

@@ -19,6 +19,24 @@ std::string listed(const Names& names) {
   return text;
 }
 
+std::string sentence_start(const std::string& sentence) {
+  const std::size_t end = sentence.find_first_not_of("0123456789");
+  if (end == 0 || end == std::string::npos || sentence[end] != ' ') return sentence;
+  if (end > 2) return "A total of " + sentence;
+  constexpr const char* small[] = {"Zero",    "One",     "Two",       "Three",    "Four",
+                                   "Five",    "Six",     "Seven",     "Eight",    "Nine",
+                                   "Ten",     "Eleven",  "Twelve",    "Thirteen", "Fourteen",
+                                   "Fifteen", "Sixteen", "Seventeen", "Eighteen", "Nineteen"};
+  constexpr const char* units[] = {"",      "-one", "-two",   "-three", "-four",
+                                   "-five", "-six", "-seven", "-eight", "-nine"};
+  constexpr const char* tens[] = {"Twenty", "Thirty",  "Forty",  "Fifty",
+                                  "Sixty",  "Seventy", "Eighty", "Ninety"};
+  const int number = std::stoi(sentence.substr(0, end));
+  const std::string words =
+      number < 20 ? small[number] : std::string(tens[number / 10 - 2]) + units[number % 10];
+  return words + sentence.substr(end);
+}
+
 void add_once(Names& names, const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }

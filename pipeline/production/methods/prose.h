@@ -16,6 +16,10 @@ std::string count_of(std::size_t count, const std::string& one, const std::strin
 /// "a, b and c"
 std::string listed(const Names& names);
 
+/// The sentence with a whole number at its beginning in words, as is usual in papers: "Two stimuli
+/// were"; from 100 on "A total of 120 stimuli were".
+std::string sentence_start(const std::string& sentence);
+
 void add_once(Names& names, const std::string& name);
 
 /// Minimum, maximum and mean of a series of numbers.

@@ -169,17 +169,15 @@ constexpr Reference references[] = {
   pages = {103--112},
   year = {2009})",
      "inproceedings"},
-    {"emotionthesis2010", "Algorithmic modifications … 2010",
-     R"(  title = {Algorithmic modifications to the emotional content of motion capture data},
-  school = {Aalto University, School of Science, Department of Media Technology},
-  year = {2010},
-  note = {75 pages. Fill in the author before citing: the public record that was seen names none; probably Klaus F{\"o}rger})",
-     "mastersthesis"},
-    {"forger2012", "Förger and Takala 2012",
-     R"(  author = {F{\"o}rger, Klaus and Takala, Tapio},
-  year = {2012},
-  note = {Fill in the title and where it was published before citing: it is known from a description of its method only})",
-     "misc"},
+    {.key = "emotionthesis2010",
+     .label = "master's thesis of 2010",
+     .missing = "a master's thesis of 2010, “Algorithmic modifications to the emotional content of "
+                "motion capture data”, Aalto University, School of Science, Department of Media "
+                "Technology, 75 pages; its author is missing (probably Klaus Förger)"},
+    {.key = "forger2012",
+     .label = "Förger and Takala 2012",
+     .missing = "Förger and Takala, 2012, on incremental motion interpolation; title and place of "
+                "publication are missing"},
     {"embree2014", "Wald et al. 2014",
      R"(  author = {Wald, Ingo and Woop, Sven and Benthin, Carsten and Johnson, Gregory S. and Ernst, Manfred},
   title = {Embree: A Kernel Framework for Efficient {CPU} Ray Tracing},
@@ -195,10 +193,12 @@ constexpr Reference references[] = {
   year = {2020},
   address = {Geneva})",
      "techreport"},
-    {"adjectives", "Motion interpolation with adjectives, n.d.",
-     R"(  title = {{A motion interpolation method using parameters based on adjectives}},
-  note = {Extended version, with 41 adjective pairs. Fill in authors, title, year and place before citing: the text that was at hand names none of them, and the title given here is a description})",
-     "misc"},
+    {.key = "adjectives",
+     .label = "paper on adjectives",
+     .missing =
+         "a paper on motion interpolation with parameters based on adjectives, in an extended "
+         "version with 41 adjective pairs; authors, exact title, year and place of publication "
+         "are missing"},
 };
 
 std::string entry_of(const Reference& reference) {

@@ -13,11 +13,12 @@ struct Reference {
   std::string_view label;   ///< citation in running text: "Rose, Cohen and Bodenheimer 1998"
   std::string_view bibtex;  ///< fields of its BibTeX entry, without the key
   std::string_view kind = "article";
+  /// What is known of a work whose author, title or year is not, and what is missing: it cannot be
+  /// cited and has no entry. Empty for others.
+  std::string_view missing = {};
 };
 
-/// Returns all references that studies may cite. If the author, title or year of a reference is
-/// unknown, its entry has no such field (or a description as title), and its `note` says what to
-/// fill in.
+/// Returns all references that studies may name.
 std::span<const Reference> all_references();
 
 /// Returns the reference with that key, or nullptr.

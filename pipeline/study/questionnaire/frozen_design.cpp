@@ -39,6 +39,7 @@ constexpr char readme[] =
     "balance.csv          how often each stimulus appears, in which position and after which\n"
     "scales.csv           scales used\n"
     "analysis-plan.txt    planned analysis\n"
+    "procedure.md         participants, procedure and analysis as the methods section states them\n"
     "stimuli.csv          SHA-256 of all media shown\n"
     "inputs/              the manifest and the files that it names\n"
     "inputs.csv           hashes of these and of the motions that they name\n"

@@ -9,6 +9,7 @@
 #include "motion/math/random_number.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/base/statistics/named_random.h"
 #include "pipeline/base/statistics/proportion.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/orders.h"
@@ -17,15 +18,6 @@
 namespace mien::pipeline {
 
 namespace {
-
-constexpr double two_pi = 6.28318530717958647692;
-
-/// The n-th standard normal number of a stream (Box and Muller 1958).
-double normal_number(std::uint64_t stream, std::uint64_t n) {
-  const double radius = motion::open_unit_number(motion::random_bits(stream, 2 * n));
-  const double angle = motion::open_unit_number(motion::random_bits(stream, 2 * n + 1));
-  return std::sqrt(-2.0 * std::log(radius)) * std::cos(two_pi * angle);
-}
 
 double critical_t(std::size_t pairs, double alpha) {
   return quantile(complement(boost::math::students_t(static_cast<double>(pairs - 1)), alpha / 2.0));

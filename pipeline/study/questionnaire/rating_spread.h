@@ -8,11 +8,14 @@
 namespace mien::pipeline {
 
 /// Standard deviations of the variance components of ratings, in points of the scale: participants
-/// (response bias), stimuli, and the residual.
+/// (response bias), stimuli, and the residual; and of the differences between participants in a
+/// cell of the design (a combination of levels of the factors), which spread_of leaves in the
+/// residual.
 struct RatingSpread {
   double participant = 0.5;
   double stimulus = 0.5;
   double residual = 0.8;
+  double participant_by_cell = 0.0;
 };
 
 /// A rating with the indices of its participant and stimulus.

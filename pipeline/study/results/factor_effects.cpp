@@ -77,15 +77,6 @@ void add_cells(const Eigen::MatrixXd& means, const std::string& group, ScaleEffe
   }
 }
 
-/// "actor × emotion", "gender × actor"
-std::string name_of(const VarianceEffect& effect, const std::vector<std::string>& factors,
-                    const std::string& between) {
-  std::vector<std::string> names;
-  if (effect.by_group) names.push_back(between);
-  for (const std::size_t factor : effect.factors) names.push_back(factors[factor]);
-  return fmt::format("{}", fmt::join(names, " × "));
-}
-
 class EffectsOfFactors {
  public:
   EffectsOfFactors(const AnswerSet& answer_set, const ParticipantTable& participants,
@@ -111,7 +102,8 @@ class EffectsOfFactors {
       levels.push_back(static_cast<int>(of_factor.size()));
     const std::vector<std::string> names = factor_names(answer_set_.factors, result_.crossing);
     for (const VarianceEffect& effect : analysis_of_variance(complete.means, levels, groups))
-      own.effects.push_back({name_of(effect, names, result_.between), effect});
+      own.effects.push_back(
+          {effect_name({effect.factors, effect.by_group}, names, result_.between), effect});
     if (own.groups.empty()) return add_cells(complete.means, "", own);
     for (std::size_t group = 0; group < own.groups.size(); ++group) {
       std::vector<Index> rows;
@@ -205,6 +197,14 @@ std::vector<std::string> factor_names(const FactorTable& table, const Crossing& 
   std::vector<std::string> names;
   for (const std::size_t factor : crossing.factors) names.push_back(table.factors[factor]);
   return names;
+}
+
+std::string effect_name(const VarianceTerm& effect, const std::vector<std::string>& factors,
+                        const std::string& between) {
+  std::vector<std::string> names;
+  if (effect.by_group) names.push_back(between);
+  for (const std::size_t factor : effect.factors) names.push_back(factors[factor]);
+  return fmt::format("{}", fmt::join(names, " × "));
 }
 
 std::string cell_name(const FactorTable& table, const Crossing& crossing, std::size_t cell) {

@@ -51,6 +51,11 @@ struct FactorEffects {
 
 FactorEffects factor_effects(const AnswerSet& answer_set, const ParticipantTable& participants);
 
+/// "actor × emotion", "gender × actor": the name of an effect. `factors` are the names of the
+/// crossing's factors, `between` is that of the question that forms groups.
+std::string effect_name(const VarianceTerm& effect, const std::vector<std::string>& factors,
+                        const std::string& between);
+
 /// "emotion sad, actor k": the levels of a cell of the crossing.
 std::string cell_name(const FactorTable& table, const Crossing& crossing, std::size_t cell);
 

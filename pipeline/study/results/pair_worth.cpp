@@ -14,7 +14,6 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::uint64_t worth_seed = 1;
-constexpr int worth_resamples = 999;
 
 /// The comparisons for one item, with conditions numbered among those compared.
 struct ItemComparisons {
@@ -103,24 +102,27 @@ OrderEffect order_of(const PairWorth& worth) {
   return worth.has_order ? OrderEffect::estimated : OrderEffect::none;
 }
 
-void fit_model(const ItemComparisons& asked, PairWorth& worth) {
+void fit_model(const ItemComparisons& asked, const WorthDetail& detail, PairWorth& worth) {
   const std::size_t stimuli = asked.compared.size();
   const BradleyTerry without = bradley_terry(asked.all, stimuli, OrderEffect::none);
   const BradleyTerry with = bradley_terry(asked.all, stimuli, OrderEffect::estimated);
-  worth.order = order_test(with, without);
   worth.has_order = with.is_finite;
   worth.fit = with.is_finite ? with : without;
-  worth.equal = equal_worth_test(worth.fit, asked.all, order_of(worth));
-  const auto intervals = profile_intervals(worth.fit, asked.all, order_of(worth));
-  const auto elo = elo_ratings(asked.all, stimuli, worth_seed);
   for (std::size_t i = 0; i < stimuli; ++i) {
     StimulusWorth& one = worth.stimuli[i];
     one.record = worth.fit.groups.records[i];
     one.group = static_cast<int>(worth.fit.groups.group[i]) + 1;
     one.worth = worth.fit.worth[i];
     one.error = worth.fit.error[i];
-    one.by_answers = intervals[i];
-    one.elo = elo[i];
+  }
+  if (detail.only_planned) return;
+  worth.order = order_test(with, without);
+  worth.equal = equal_worth_test(worth.fit, asked.all, order_of(worth));
+  const auto intervals = profile_intervals(worth.fit, asked.all, order_of(worth));
+  const auto elo = elo_ratings(asked.all, stimuli, worth_seed);
+  for (std::size_t i = 0; i < stimuli; ++i) {
+    worth.stimuli[i].by_answers = intervals[i];
+    worth.stimuli[i].elo = elo[i];
   }
 }
 
@@ -176,7 +178,7 @@ void set_contrasts_by_answers(const ItemComparisons& asked, PairWorth& worth) {
 }
 
 /// Intervals from resampled participants, if exactly one group has estimates.
-void resample_people(const ItemComparisons& asked, PairWorth& worth) {
+void resample_people(const ItemComparisons& asked, int resamples, PairWorth& worth) {
   std::vector<std::size_t> members;
   std::set<int> groups;
   for (std::size_t i = 0; i < worth.stimuli.size(); ++i) {
@@ -191,9 +193,8 @@ void resample_people(const ItemComparisons& asked, PairWorth& worth) {
     WorthWeights& own = weights.emplace_back();
     for (const std::size_t member : members) own.push_back(contrast->of[member]);
   }
-  const WorthBootstrap found =
-      worth_bootstrap(within_group(asked, members), members.size(), order_of(worth), worth_seed,
-                      worth_resamples, weights);
+  const WorthBootstrap found = worth_bootstrap(within_group(asked, members), members.size(),
+                                               order_of(worth), worth_seed, resamples, weights);
   worth.resamples = found.resamples;
   worth.without_estimate = found.without_estimate;
   worth.order_ends = found.order;
@@ -209,19 +210,23 @@ void resample_people(const ItemComparisons& asked, PairWorth& worth) {
 }
 
 PairWorth worth_of(const AnswerSet& answer_set, const ComparedConditions& conditions,
-                   const std::string& item) {
+                   const std::string& item, const WorthDetail& detail) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const ItemComparisons asked = comparisons_of(answer_set, conditions, item);
-  PairWorth worth{.item = item, .order_ends = {none, none}};
+  PairWorth worth{
+      .item = item, .order_ends = {none, none}, .order = {none, 0, none}, .equal = {none, 0, none}};
   worth.people = static_cast<int>(asked.people.size());
   worth.within_conditions = asked.within_conditions;
   for (const std::size_t condition : asked.compared)
     worth.stimuli.push_back({.name = conditions.names[condition], .by_participants = {none, none}});
   worth.contrasts = begun_worth_contrasts(answer_set, conditions, asked.compared, item);
+  if (detail.only_planned)
+    std::erase_if(worth.contrasts,
+                  [](const WorthContrast& one) { return one.kind != ContrastKind::planned; });
   count_outcomes(asked, worth);
-  fit_model(asked, worth);
+  fit_model(asked, detail, worth);
   set_contrasts_by_answers(asked, worth);
-  resample_people(asked, worth);
+  resample_people(asked, detail.resamples, worth);
   if (!answer_set.sets.empty()) {
     worth.is_implied = true;
     worth.equal = worth.order = {none, 0, none};
@@ -229,6 +234,7 @@ PairWorth worth_of(const AnswerSet& answer_set, const ComparedConditions& condit
     if (!worth.is_by_participants) worth.contrasts.clear();
     return worth;
   }
+  if (detail.only_planned) return worth;
   worth.transitivity = transitivity_violations(asked.all, asked.compared.size());
   for (std::size_t i = 0; i < asked.people.size(); ++i)
     if (const auto own = circular_triads(asked.by_person[i], asked.compared.size()))
@@ -253,7 +259,7 @@ void correct_contrasts(std::vector<PairWorth>& worths, ContrastKind kind,
 
 }  // namespace
 
-std::vector<PairWorth> worths_of(const AnswerSet& answer_set) {
+std::vector<PairWorth> worths_of(const AnswerSet& answer_set, const WorthDetail& detail) {
   const ComparedConditions conditions = compared_conditions(answer_set);
   std::set<std::string> items;
   for (const AnalysedPreference& answer : answer_set.preferences) items.insert(answer.item);
@@ -261,7 +267,7 @@ std::vector<PairWorth> worths_of(const AnswerSet& answer_set) {
   std::vector<double> equal;
   std::vector<double> order;
   for (const std::string& item : items) {
-    worths.push_back(worth_of(answer_set, conditions, item));
+    worths.push_back(worth_of(answer_set, conditions, item, detail));
     equal.push_back(worths.back().equal.p);
     order.push_back(worths.back().order.p);
   }

@@ -74,6 +74,14 @@ struct PairWorth {
 /// different ones are drawn.
 inline constexpr int fewest_resampled_people = 10;
 
+/// How much is computed of worths.
+struct WorthDetail {
+  int resamples = 999;  ///< number of resamples of participants
+  /// Only the worths and the planned contrasts: without pairs of conditions, profile-likelihood
+  /// intervals, Elo ratings, transitivity and tests of equal worth and of the order effect.
+  bool only_planned = false;
+};
+
 /// The worths for each item about which there are comparisons, sorted by item.
 ///
 /// Reported intervals are those from resampled participants, because several answers of the same
@@ -81,7 +89,7 @@ inline constexpr int fewest_resampled_people = 10;
 /// profile-likelihood intervals if there are fewer than fewest_resampled_people, if some of the
 /// resampled intervals have no finite ends, or if several groups of stimuli have worths. The same
 /// holds for contrasts, whose intervals are then Wald's instead of profile-likelihood intervals.
-std::vector<PairWorth> worths_of(const AnswerSet& answer_set);
+std::vector<PairWorth> worths_of(const AnswerSet& answer_set, const WorthDetail& detail = {});
 
 /// Why there is no worth: "always chosen", "never chosen" …; empty if there is one.
 std::string record_text(const StimulusWorth& one);

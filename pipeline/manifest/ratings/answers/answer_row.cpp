@@ -50,7 +50,8 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
      &Row::item},
     {{"value_raw", "",
       "raw answer: position from the left, from 1 (points) or 0–100 (slider); the word chosen or "
-      "written; for a pair left, right or tie, or left_much, left_slightly, …; same or different; "
+      "written; for a pair left, right or tie, or left_much, left_slightly, … (shown in turn: left "
+      "is the first, right the second); same or different; "
       "yes "
       "or no; first or second (of two intervals); place from the left, from 1 (of a set)"},
      &Row::value_raw},

@@ -22,7 +22,9 @@ constexpr double interval_values_width = 104.0;
 double names_width_of(const IntervalChart& chart) {
   constexpr double letter = 4.6;
   std::size_t longest = 0;
-  for (const IntervalLine& line : chart.lines) longest = std::max(longest, line.name.size());
+  for (const IntervalLine& line : chart.lines)
+    if (!std::isnan(line.value) || !line.note.empty())
+      longest = std::max(longest, line.name.size());
   return std::clamp(14.0 + letter * static_cast<double>(longest), 90.0, 200.0);
 }
 
@@ -64,6 +66,14 @@ void draw_line(Canvas& canvas, const IntervalChart& chart, const IntervalLine& l
                const Box& row) {
   const double names = names_width_of(chart);
   const double middle = row.middle();
+  if (std::isnan(line.value) && line.note.empty()) {  // a heading, before which the axis is hidden
+    const TextStyle style = {.size = 8.0, .bold = true};
+    canvas.fill(
+        Box{row.x, row.y + 1.0, canvas.text_width(line.name, style) + 4.0, row.height - 2.0},
+        paper);
+    canvas.text({row.x, middle + 2.8}, line.name, style);
+    return;
+  }
   canvas.text({row.x, middle + 2.8}, line.name, {.size = 8.0, .max_width = names - 6.0});
   const double axis = row.x + names;
   const auto x = [&](double value) {

@@ -43,27 +43,45 @@ BarChart pair_chart(const AnswerSet& answer_set, const std::string& item) {
   return chart;
 }
 
-std::string pair_caption(const AnswerSet& answer_set, const std::string& item) {
+/// Which of a question's pairs a figure has: first and last, from 1, and their number.
+struct PairPart {
+  std::size_t first = 1;
+  std::size_t last = 1;
+  std::size_t all = 1;
+
+  bool is_all() const { return last - first + 1 == all; }
+  /// "pairs 1 to 8 of 12"
+  std::string text() const {
+    return first == last ? fmt::format("pair {} of {}", first, all)
+                         : fmt::format("pairs {} to {} of {}", first, last, all);
+  }
+};
+
+std::string pair_caption(const AnswerSet& answer_set, const std::string& item,
+                         const PairPart& part) {
   const bool has_ties =
       std::ranges::any_of(answer_set.preferences, [&](const AnalysedPreference& preference) {
         return preference.is_tie && preference.item == item;
       });
   return std::string("Proportion of choices with 95 % Wilson intervals; chance is one half.") +
+         (part.is_all() ? "" : fmt::format(" This figure has {}.", part.text())) +
          (has_ties ? " Answers without a preference (ties) are left out." : "");
 }
 
 /// Adds the figures of the pairs of one question.
 void add_pairs(const AnswerSet& answer_set, const std::string& item,
-               const std::vector<const PreferenceCount*>& pairs, std::size_t number,
+               const std::vector<const PreferenceCount*>& pairs, const PairPart& part,
                std::vector<ResultFigure>& figures) {
   BarChart chart = pair_chart(answer_set, item);
+  if (!part.is_all()) chart.title += fmt::format(" ({})", part.text());
   for (const PreferenceCount* pair : pairs) {
     chart.bars.push_back(pair_bar(answer_set, *pair));
     chart.slot_width = std::max(chart.slot_width, width_of_pair(answer_set, *pair));
   }
   const std::string name =
-      "pairs-" + item + (number > 0 ? fmt::format("-{}", number + 1) : std::string());
-  figures.push_back({name, "preferences", "", "", pair_caption(answer_set, item),
+      "pairs-" + item +
+      (part.first > 1 ? fmt::format("-{}", (part.first - 1) / max_pairs + 1) : std::string());
+  figures.push_back({name, "preferences", "", "", pair_caption(answer_set, item, part),
                      with_simulated_mark(bar_chart_plot(chart), answer_set.simulated)});
 }
 
@@ -78,10 +96,10 @@ void add_pair_figures(const Results& results, std::vector<ResultFigure>& figures
     for (const PreferenceCount& count : results.preferences)
       if (count.item == item) own.push_back(&count);
     for (std::size_t first = 0; first < own.size(); first += max_pairs) {
+      const std::size_t last = std::min(own.size(), first + max_pairs);
       const auto begin = own.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto end =
-          own.begin() + static_cast<std::ptrdiff_t>(std::min(own.size(), first + max_pairs));
-      add_pairs(results.answer_set, item, {begin, end}, first / max_pairs, figures);
+      const auto end = own.begin() + static_cast<std::ptrdiff_t>(last);
+      add_pairs(results.answer_set, item, {begin, end}, {first + 1, last, own.size()}, figures);
     }
   }
 }

@@ -175,10 +175,12 @@ std::string percent_of(double share) { return fmt::format("{:.0f}", 100.0 * shar
 void add_confusion_figure(const Results& results, const Confusion& confusion,
                           const std::string& thesis, std::vector<ResultFigure>& figures) {
   HeatMap map;
-  map.title = "Perceived emotions: " +
+  map.title = (confusion.by_points ? "Perceived emotions by ratings: "
+                                   : "Perceived emotions by choices: ") +
               (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
-  map.words = confusion.by_points ? "Percentage of each row's points; outlined: intended emotion"
-                                  : "Percentage of each row's choices; outlined: intended emotion";
+  map.words = confusion.by_points
+                  ? "Percentage of each row's rating points; outlined: intended emotion"
+                  : "Percentage of each row's choices; outlined: intended emotion";
   map.row_title = "intended";
   map.column_title = "perceived";
   map.column_names = confusion.columns;
@@ -203,7 +205,8 @@ void add_confusion_figure(const Results& results, const Confusion& confusion,
 void add_recall_figure(const Results& results, const Confusion& confusion,
                        std::vector<ResultFigure>& figures) {
   BarChart chart;
-  chart.title = "Recognition of emotions: " +
+  chart.title = (confusion.by_points ? "Recognition of emotions by ratings: "
+                                     : "Recognition of emotions by choices: ") +
                 (confusion.of == "all" ? std::string("all videos") : confusion.of + " motions");
   chart.axis = confusion.by_points ? "Proportion of points" : "Proportion of choices";
   chart.whiskers = "95 % interval (Wilson)";
@@ -220,7 +223,11 @@ void add_recall_figure(const Results& results, const Confusion& confusion,
   if (chart.bars.empty()) return;
   const std::string by = confusion.by_points ? "" : "-choices";
   figures.push_back({"recall-" + confusion.of + by, "confusion", "", "",
-                     "Recall per emotion with 95 % Wilson intervals, compared with chance.",
+                     confusion.by_points
+                         ? "Recall by rating points: the intended emotion's share of the points, "
+                           "with 95 % Wilson intervals, compared with chance."
+                         : "Recall by choices: the share of choices of the intended emotion, with "
+                           "95 % Wilson intervals, compared with chance.",
                      with_simulated_mark(bar_chart_plot(chart), results.answer_set.simulated)});
 }
 

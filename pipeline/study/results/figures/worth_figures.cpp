@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,9 +11,14 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string note_of(const StimulusWorth& one, bool has_groups) {
-  if (std::isnan(one.worth)) return record_text(one) + ": no finite worth";
-  return has_groups ? fmt::format("group {}", one.group) : "";
+std::string note_of(const StimulusWorth& one) {
+  return std::isnan(one.worth) ? record_text(one) + ": no finite worth" : "";
+}
+
+/// A line without an estimate that begins a group of comparable worths.
+IntervalLine group_heading(const std::string& text) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {.name = text, .note = "", .value = none, .ends = {none, none}};
 }
 
 IntervalChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
@@ -42,8 +48,20 @@ IntervalChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
     return one->record == WinRecord::always_won ? beyond : -beyond;
   };
   std::ranges::stable_sort(sorted, std::ranges::greater{}, rank);
-  for (const StimulusWorth* one : sorted)
-    chart.lines.push_back({one->name, note_of(*one, groups > 1), one->worth, worth.ends_of(*one)});
+  int group = 0;
+  for (const StimulusWorth* one : sorted) {
+    if (groups > 1 && !std::isnan(one->worth) && one->group != group) {
+      group = one->group;
+      chart.lines.push_back(group_heading(
+          fmt::format("Group {}, whose worths can be compared with each other only", group)));
+    }
+    if (groups > 1 && std::isnan(one->worth) && group > 0) {
+      group = 0;
+      chart.lines.push_back(group_heading("Without a worth"));
+    }
+    chart.lines.push_back({one->name, note_of(*one), one->worth, worth.ends_of(*one)});
+  }
+  if (groups > 1) chart.axis = "Log-worth (0: mean of the group)";
   set_axis(chart, /*is_symmetric=*/true);
   return chart;
 }

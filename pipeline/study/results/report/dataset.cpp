@@ -210,8 +210,10 @@ std::string readme_of(const Results& results) {
          (results.answer_set.simulated ? "**Simulated answers.**\n\n" : "") +
          "Answers to the questionnaire of study " + results.answer_set.study +
          ", as a Psych-DS dataset, and the results computed from them by mien study report.\n\n"
-         "- report.html: all results on one page\n"
-         "- data/: the answers (one row each), the stimuli and the participants\n"
+         "- report.html: all results on one page\n" +
+         (results.demographics.empty()
+              ? "- data/: the answers (one row each) and the stimuli\n"
+              : "- data/: the answers (one row each), the stimuli and the participants\n") +
          "- dataset_description.json: meaning of each column of data/ (JSON-LD)\n"
          "- codebook.csv: meaning of each column of data/ and results/\n"
          "- results/: tables\n"

@@ -126,7 +126,9 @@ constexpr char contrast_method[] =
     "of the other factors’ levels) in which all compared levels were rated are used. p values are "
     "corrected over all planned contrasts on all their scales, and over all pairs of levels of a "
     "factor on all scales. d_z: mean over standard deviation of these sums, with its interval "
-    "(noncentral t).";
+    "(noncentral t). Only participants are random in these tests: they are valid for these videos. "
+    "With several videos in a cell, analysis/lme4.R tests the same planned contrasts with random "
+    "participants and stimuli.";
 
 }  // namespace
 

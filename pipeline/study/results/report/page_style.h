@@ -27,7 +27,9 @@ nav { display: flex; flex-wrap: wrap; gap: .3rem 1.1rem; margin: 1rem 0; }
   padding: .6rem 1rem; font-weight: 600; }
 h2 .mark { background: var(--warn); color: var(--warn-ink); border-radius: 1rem; font-size: .75rem;
   font-weight: 600; padding: .15rem .6rem; vertical-align: middle; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; max-width: 100%; }
+.wide th:first-child, .wide td:first-child { position: sticky; left: 0; background: var(--paper);
+  padding-right: 1.2rem; }
 table { border-collapse: collapse; font-size: .86rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .16rem .9rem .16rem 0; border-bottom: 1px solid var(--line); text-align: right;
   font-weight: 400; white-space: nowrap; }

@@ -209,23 +209,28 @@ std::string groups_html(const Results& results) {
                     rows);
 }
 
-std::string recall_html(const Results& results) {
+std::string recall_html(const Results& results, bool by_points) {
   std::string rows;
   for (const Confusion& confusion : results.confusions) {
     for (const ConfusionRow& row : confusion.rows) {
-      if (row.own < 0) continue;
+      if (row.own < 0 || confusion.by_points != by_points) continue;
       rows +=
           HtmlRow()
-              .text(row.emotion, confusion.of, confusion.by_points ? "rating points" : "choices")
+              .text(row.emotion, confusion.of)
               .number(row.judged, percent_text(row.recall),
                       std::isnan(row.low) ? "–" : share_interval(row.low, row.high),
                       percent_text(confusion.chance), row.hits, p_text(row.p), p_text(row.adjusted))
               .html(row.adjusted < results.answer_set.alpha && row.recall > confusion.chance);
     }
   }
-  return wide_table({"<intended", "<of", "<by", "presentations", "recall", "95 % interval (Wilson)",
-                     "chance", "top response", "p, binomial", "p, corrected"},
-                    rows);
+  return by_points ? wide_table({"<intended", "<of", "presentations", "recall (share of points)",
+                                 "95 % interval (Wilson)", "chance", "top response", "p, binomial",
+                                 "p, corrected"},
+                                rows)
+                   : wide_table({"<intended", "<of", "presentations", "recall (share of choices)",
+                                 "95 % interval (Wilson)", "chance", "chosen", "p, binomial",
+                                 "p, corrected"},
+                                rows);
 }
 
 std::string agreement_html(const Results& results) {

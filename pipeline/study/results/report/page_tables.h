@@ -28,7 +28,7 @@ std::string comparisons_html(const Results& results, ComparisonFamily family,
                              const std::string& made = "");
 std::string overall_html(const Results& results, ComparisonFamily family);
 std::string groups_html(const Results& results);
-std::string recall_html(const Results& results);
+std::string recall_html(const Results& results, bool by_points);
 std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);
 std::string remarks_html(const std::vector<Remark>& remarks);

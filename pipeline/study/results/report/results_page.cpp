@@ -255,26 +255,33 @@ std::string groups_part(const Results& results, const PageParts& parts) {
 std::string confusion_html(const Results& results, const PageParts& parts) {
   const std::string figures = parts.figures("confusion");
   if (figures.empty()) return "";
-  std::string html;
+  const std::string by_ratings = recall_html(results, true);
+  const std::string by_choices = recall_html(results, false);
   const auto is_of = [&](bool by_points) {
     return std::ranges::any_of(results.confusions,
                                [=](const Confusion& c) { return c.by_points == by_points; });
   };
+  std::string html;
   if (is_of(true))
-    html += html_paragraph(
-        "Ratings are converted to points: a rating at an end of a scale gives that end 2 points, a "
-        "rating halfway between the middle and an end 1 point, and others in proportion; "
-        "percentages are of a row’s total points. The intervals treat "
-        "each rated presentation as one trial. “Top response”: presentations in which the intended "
-        "emotion received more points than any other end; the exact binomial test compares their "
-        "number with chance (1 / number of ends).");
+    html += (is_of(false) ? heading("By ratings") : "") +
+            html_paragraph(
+                "Ratings are converted to points: a rating at an end of a scale gives that end 2 "
+                "points, a rating halfway between the middle and an end 1 point, and others in "
+                "proportion. Recall is the intended emotion’s share of its row’s points, as in the "
+                "matrix; its interval treats each rated presentation as one trial. “Top response” "
+                "is another measure: the number of presentations in which the intended emotion "
+                "received more points than any other end. The exact binomial test is of this "
+                "number, against chance (1 / number of ends).") +
+            by_ratings;
   if (is_of(false))
-    html += html_paragraph(
-        fmt::format("Each presentation is one choice out of {}; percentages are of a row’s "
-                    "choices. “Top response”: choices of the intended emotion; the exact binomial "
-                    "test compares their number with chance (one of the {}).",
-                    results.answer_set.choices.size(), results.answer_set.choices.size()));
-  return html + recall_html(results) + figures;
+    html += (is_of(true) ? heading("By choices") : "") +
+            html_paragraph(fmt::format(
+                "Each presentation is one choice out of {0}. Recall is the share of choices of the "
+                "intended emotion, as in the matrix; the exact binomial test compares their number "
+                "with chance (one of the {0}).",
+                results.answer_set.choices.size())) +
+            by_choices;
+  return html + figures;
 }
 
 std::string agreement_part(const Results& results) {

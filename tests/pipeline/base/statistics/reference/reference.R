@@ -1,5 +1,5 @@
 # Reference values of the statistics, made once with R 4.2.2 (Debian 12: r-base-core, r-cran-psych,
-# r-cran-coin, r-cran-afex 1.2-1, r-cran-emmeans 1.8.4-1):
+# r-cran-coin, r-cran-afex 1.2-1, r-cran-emmeans 1.8.4-1, r-cran-lmertest 3.1-3):
 #
 #     Rscript reference.R
 #
@@ -13,7 +13,7 @@ samples <- list()
 expected <- list()
 sample_of <- function(name, values) {
   samples[[name]] <<- values
-  values
+  invisible(values)
 }
 expect <- function(name, ...) {
   values <- c(...)
@@ -275,6 +275,236 @@ for (k in list(c(0.2, 2, 30), c(1.7, 1.4, 22.6), c(4, 3, 57), c(60, 1, 19), c(25
                                                           c("low", "high")))
 for (k in list(c(0, 10), c(2.1, 24), c(-3.7, 8), c(11, 40)))
   expect(paste("dz", k[1], k[2]), setNames(dz_interval(k[1], k[2]), c("low", "high")))
+
+# --- Participants and stimuli as crossed random effects -------------------------------------------
+
+# `m`: a row for each participant, a column for each stimulus; stimuli of a cell are neighbours, the
+# last factor varies fastest. By lmerTest: restricted maximum likelihood, Satterthwaite's degrees of
+# freedom, type III. `slopes`: "A" for a random slope of A, without one for its intercept's.
+crossed_expectations <- function(name, m, levels, per_cell, slopes = FALSE) {
+  sample_of(name, as.vector(t(m)))
+  sample_of(paste0(name, "/levels"), levels)
+  factors <- LETTERS[seq_along(levels)]
+  cells <- expand.grid(lapply(rev(levels), seq_len))[rev(seq_along(levels))]
+  names(cells) <- factors
+  cell <- rep(seq_len(nrow(cells)), each = per_cell)
+  d <- data.frame(id = factor(rep(seq_len(nrow(m)), ncol(m))),
+                  stimulus = factor(rep(seq_len(ncol(m)), each = nrow(m))), y = as.vector(m))
+  for (f in factors) d[[f]] <- factor(cells[[f]][cell[as.integer(d$stimulus)]])
+  random <- if (slopes) "(1 + A | id)" else "(1 | id)"
+  formula <- as.formula(paste("y ~", paste(factors, collapse = "*"), "+", random, "+ (1 | stimulus)"))
+  fit <- suppressMessages(lmerTest::lmer(
+    formula, d, contrasts = setNames(rep(list("contr.sum"), length(factors)), factors),
+    control = lme4::lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-10),
+                                check.conv.singular = "ignore", calc.derivs = FALSE)))
+  table <- anova(fit, type = 3, ddf = "Satterthwaite")
+  expect(name, rows = nrow(m), columns = ncol(m), per_cell = per_cell)
+  for (effect in rownames(table))
+    expect(paste(name, effect, sep = "/"), f = signif(table[effect, "F value"], 6),
+           degrees = table[effect, "NumDF"], error_degrees = signif(table[effect, "DenDF"], 6),
+           p = signif(table[effect, "Pr(>F)"], 6))  # iterated: further digits vary
+}
+
+crossed_ratings <- function(people, cells, per_cell, participant, stimulus, cell_of_person, effects) {
+  columns <- cells * per_cell
+  cell <- rep(seq_len(cells), each = per_cell)
+  matrix(rnorm(people, 0, participant), people, columns) +
+    matrix(rep(rnorm(columns, 0, stimulus), each = people), people, columns) +
+    matrix(rnorm(people * cells, 0, cell_of_person), people)[, cell] +
+    matrix(rep(effects[cell], each = people), people, columns) + matrix(rnorm(people * columns), people)
+}
+crossed_expectations("crossed-2-3", crossed_ratings(14, 6, 4, 0.7, 0.6, 0, (1:6) / 4), c(2, 3), 4)
+crossed_expectations("crossed-2", crossed_ratings(16, 2, 6, 0.7, 0.5, 0.6, c(0, 0.7)), 2, 6)
+crossed_expectations("crossed-slopes", crossed_ratings(16, 2, 6, 0.7, 0.5, 0.6, c(0, 0.7)), 2, 6, TRUE)
+# Without differences between stimuli, some estimates of their variance are 0.
+m <- crossed_ratings(10, 3, 3, 0.5, 0, 0, c(0, 0.2, 0.1))
+means <- colMeans(m)
+m <- m - rep(means - ave(means, rep(1:3, each = 3)), each = 10) * 0.9  # hardly any within cells
+crossed_expectations("crossed-none", m, 3, 3)
+
+# --- Consistency of paired comparisons --------------------------------------------------------------
+
+# `wins`: a row and a column for each stimulus; wins[i, k]: how often i was chosen over k. Definitions
+# only, triad by triad: no formula of Kendall and Babington Smith.
+triads_of <- function(n) combn(n, 3, simplify = FALSE)
+orders_of <- function(triad) list(triad, triad[c(1, 3, 2)], triad[c(2, 1, 3)], triad[c(2, 3, 1)],
+                                  triad[c(3, 1, 2)], triad[c(3, 2, 1)])
+is_circular <- function(wins, t)
+  (wins[t[1], t[2]] && wins[t[2], t[3]] && wins[t[3], t[1]]) ||
+  (wins[t[2], t[1]] && wins[t[3], t[2]] && wins[t[1], t[3]])
+count_circular <- function(preferred) sum(sapply(triads_of(nrow(preferred)), function(t)
+  is_circular(preferred, t)))
+# The most circular triads: of a rotational tournament, in which each stimulus beats the next ones
+# (Kendall and Babington Smith 1940: 1, 2, 5, 8, 14, 20 of 3 … 8 stimuli).
+rotational <- function(n) outer(seq_len(n), seq_len(n), function(i, k) {
+  ahead <- (k - i) %% n
+  (ahead >= 1 & ahead < n / 2) | (ahead == n / 2 & i < k)
+})
+stopifnot(sapply(3:8, function(n) count_circular(rotational(n))) == c(1, 2, 5, 8, 14, 20))
+consistency_expectations <- function(name, wins) {
+  sample_of(name, as.vector(t(wins)))
+  preferred <- wins > t(wins)
+  circular <- count_circular(preferred)
+  most <- count_circular(rotational(nrow(wins)))
+  # Of random answers: a triad is circular in 2 of 8 cases.
+  expect(name, stimuli = nrow(wins), circular = circular, most = most,
+         by_chance = length(triads_of(nrow(wins))) * 2 / 8, zeta = 1 - circular / most)
+}
+consistency_expectations("six", matrix(c(0, 1, 1, 0, 1, 1,
+                                         0, 0, 0, 1, 1, 0,
+                                         0, 1, 0, 1, 1, 1,
+                                         1, 0, 0, 0, 0, 0,
+                                         0, 0, 0, 1, 0, 1,
+                                         0, 1, 0, 1, 0, 0), 6, byrow = TRUE))
+random_choices <- function(n, times, worth) {
+  wins <- matrix(0, n, n)
+  for (i in seq_len(n - 1)) for (k in (i + 1):n) {
+    wins[i, k] <- rbinom(1, times, plogis(worth[i] - worth[k]))
+    wins[k, i] <- times - wins[i, k]
+  }
+  wins
+}
+consistency_expectations("seven-odd", random_choices(7, 1, (1:7) / 3))
+consistency_expectations("eight-majorities", random_choices(8, 5, (1:8) / 8))
+
+# Stochastic transitivity, by all orders of each triad; `ties` count half for either.
+transitivity_expectations <- function(name, wins, ties) {
+  sample_of(name, as.vector(t(wins)))
+  sample_of(paste0(name, "/ties"), as.vector(t(ties)))
+  all <- wins + ties / 2
+  share <- all / (all + t(all))
+  broken <- sapply(triads_of(nrow(wins)), function(triad) min(sapply(orders_of(triad), function(o) {
+    ab <- share[o[1], o[2]]; bc <- share[o[2], o[3]]; ac <- share[o[1], o[3]]
+    if (ab < 0.5 || bc < 0.5) return(3)
+    if (ac < 0.5) 3 else if (ac < min(ab, bc)) 2 else if (ac < max(ab, bc)) 1 else 0
+  })))
+  expect(name, stimuli = nrow(wins), triads = length(broken), weak = sum(broken >= 3),
+         moderate = sum(broken >= 2), strong = sum(broken >= 1))
+}
+upper_ties <- function(n, p) {
+  ties <- matrix(0, n, n)
+  ties[upper.tri(ties)] <- rbinom(n * (n - 1) / 2, 3, p)
+  ties + t(ties)
+}
+transitivity_expectations("shares", random_choices(8, 9, (1:8) / 4), matrix(0, 8, 8))
+transitivity_expectations("shares-ties", random_choices(7, 8, (1:7) / 5), upper_ties(7, 0.4))
+
+# Elo's ratings over all orders of seven comparisons: first, second, result of the first.
+elo_games <- data.frame(first = c(1, 1, 2, 3, 1, 2, 4), second = c(2, 3, 3, 1, 4, 4, 3),
+                        result = c(1, 1, 0, 1, 0.5, 1, 0))
+sample_of("elo-games", as.vector(t(as.matrix(elo_games))))
+permutations <- function(v) if (length(v) < 2) list(v) else
+  do.call(c, lapply(seq_along(v), function(i) lapply(permutations(v[-i]), function(p) c(v[i], p))))
+elo <- sapply(permutations(seq_len(nrow(elo_games))), function(order) {
+  rating <- rep(1500, 4)
+  for (g in order) {
+    i <- elo_games$first[g]; k <- elo_games$second[g]
+    gain <- 32 * (elo_games$result[g] - 1 / (1 + 10^((rating[k] - rating[i]) / 400)))
+    rating[c(i, k)] <- rating[c(i, k)] + c(gain, -gain)
+  }
+  rating
+})
+expect("elo-games", setNames(rowMeans(elo), 1:4))
+expect("elo-games/deviation", setNames(apply(elo, 1, function(r) sqrt(mean((r - mean(r))^2))), 1:4))
+
+# Resampled participants: worths of four stimuli, by glm; expanded percentiles (Hesterberg 2015).
+people <- 18
+pairs_of_four <- t(combn(4, 2))
+chosen <- t(sapply(seq_len(people), function(p) {
+  own <- (4:1) / 2.5 + rnorm(4, 0, 0.5)
+  rbinom(6, 3, plogis(own[pairs_of_four[, 1]] - own[pairs_of_four[, 2]]))
+}))
+sample_of("worth-people", as.vector(t(chosen)))
+worths_of_counts <- function(k) {
+  x <- matrix(0, 6, 4)
+  x[cbind(1:6, pairs_of_four[, 1])] <- 1
+  x[cbind(1:6, pairs_of_four[, 2])] <- -1
+  total <- 3 * people
+  b <- coef(glm.fit(x[, -4], cbind(k, total - k), family = binomial()))
+  b <- c(b, 0)
+  unname(b - mean(b))
+}
+worth <- worths_of_counts(colSums(chosen))
+resampled <- replicate(4000, worths_of_counts(colSums(chosen[sample(people, replace = TRUE), ])))
+tail <- pnorm(-sqrt(people / (people - 1)) * qt(0.975, people - 1))
+ends <- apply(resampled, 1, quantile, c(tail, 1 - tail))
+expect("worth-people", rows = people, columns = 6, setNames(worth, paste0("worth_", 1:4)),
+       setNames(ends[1, ], paste0("low_", 1:4)), setNames(ends[2, ], paste0("high_", 1:4)),
+       error = sd(resampled[1, ] - resampled[4, ]))
+
+# --- Results of a study ------------------------------------------------------------------------------
+
+# Ratings from -2 to 2 of stimuli with intended emotions on two scales: sad-happy, weak-strong.
+intended <- c("sad", "happy", "weak", "strong", "sad")
+rated <- expand.grid(stimulus = seq_along(intended), person = 1:9)
+rated$first <- pmax(-2, pmin(2, round(c(-1, 1, 0, 0, -1)[rated$stimulus] + rnorm(nrow(rated)))))
+rated$second <- pmax(-2, pmin(2, round(c(-0.5, 0, -1, 1, 0)[rated$stimulus] + rnorm(nrow(rated)))))
+sample_of("rated", as.vector(t(as.matrix(rated))))
+points <- with(rated, cbind(sad = pmax(0, -first), happy = pmax(0, first), weak = pmax(0, -second),
+                            strong = pmax(0, second)))  # 2 points at an end, 1 half way
+for (emotion in unique(intended)) {
+  own <- points[intended[rated$stimulus] == emotion, , drop = FALSE]
+  judged <- sum(rowSums(own) > 0)
+  recall <- sum(own[, emotion]) / sum(own)
+  hits <- sum(apply(own, 1, function(p) all(p[emotion] > p[names(p) != emotion])))
+  wilson <- prop.test(recall * judged, judged, correct = FALSE)$conf.int
+  expect(paste0("confusion/", emotion), colSums(own), recall = recall, judged = judged, hits = hits,
+         showings = nrow(own), low = wilson[1], high = wilson[2],
+         p = binom.test(hits, judged, 1 / 4)$p.value)
+}
+for (pair in combn(4, 2, simplify = FALSE)) {
+  r <- cor.test(points[, pair[1]], points[, pair[2]])
+  expect(paste0("ends/", pair[1], "-", pair[2]), r = unname(r$estimate), p = r$p.value)
+}
+for (s in seq_along(intended)) {
+  x <- rated$first[rated$stimulus == s]
+  r <- t.test(x)
+  expect(paste0("mean/", s), mean = mean(x), sd = sd(x), median = median(x), low = r$conf.int[1],
+         high = r$conf.int[2])
+}
+
+# Two answers to the same question.
+again <- data.frame(first = sample(-2:2, 40, TRUE))
+again$second <- pmax(-2, pmin(2, again$first + sample(c(-1, 0, 0, 1), 40, TRUE)))
+sample_of("again", as.vector(t(as.matrix(again))))
+r <- cor.test(again$first, again$second)
+expect("again", equal = sum(again$first == again$second), mean_difference =
+         mean(abs(again$second - again$first)), r = unname(r$estimate), low = r$conf.int[1],
+       high = r$conf.int[2])
+
+# Sets of four of five stimuli: person, the stimuli, places (1 … 4) of the best and the worst.
+sets <- do.call(rbind, lapply(1:10, function(p) t(sapply(1:5, function(left_out) {
+  shown <- sample(setdiff(1:5, left_out))
+  order <- order(shown + rnorm(4, 0, 1.5))
+  c(p, shown, order[4], order[1])
+}))))
+sample_of("sets", as.vector(t(sets)))
+for (s in 1:5) {
+  score <- apply(sets, 1, function(row) {
+    place <- match(s, row[2:5])
+    if (is.na(place)) NA else (place == row[6]) - (place == row[7])
+  })
+  interval <- t.test(tapply(score, sets[, 1], mean, na.rm = TRUE))$conf.int
+  expect(paste0("best-worst/", s), shown = sum(!is.na(score)), best = sum(score == 1, na.rm = TRUE),
+         worst = sum(score == -1, na.rm = TRUE), score = mean(score, na.rm = TRUE),
+         low = interval[1], high = interval[2])
+}
+
+# Detection: person, signal (1) or noise (0), answered with yes.
+detected <- expand.grid(trial = 1:20, person = 1:8)
+detected$signal <- as.numeric(detected$trial <= 10)
+detected$yes <- rbinom(nrow(detected), 1, pnorm(detected$signal * (0.6 + detected$person / 8) - 0.5))
+detected <- detected[, c("person", "signal", "yes")]
+sample_of("detected", as.vector(t(as.matrix(detected))))
+d_of <- function(d) {
+  rate <- function(x) (sum(x) + 0.5) / (length(x) + 1)
+  qnorm(rate(d$yes[d$signal == 1])) - qnorm(rate(d$yes[d$signal == 0]))
+}
+own <- sapply(split(detected, detected$person), d_of)
+interval <- t.test(own)$conf.int
+expect("detected", d = d_of(detected), mean = mean(own), low = interval[1], high = interval[2],
+       correct = (mean(detected$yes[detected$signal == 1]) +
+                  mean(1 - detected$yes[detected$signal == 0])) / 2)
 
 # --- Written --------------------------------------------------------------------------------------
 

@@ -42,7 +42,32 @@ TEST(ResultFigures, DividesManyPairsIntoSeveralFigures) {
   const auto figures = figures_of(results_of_study(manifest, answers_to(manifest)), "preferences");
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[1].name, "pairs-sad-happy-2");
+  EXPECT_NE(figures[0].caption.find("This figure has pairs 1 to 8 of 10."), std::string::npos);
+  EXPECT_NE(figures[1].caption.find("This figure has pairs 9 to 10 of 10."), std::string::npos);
+  EXPECT_TRUE(test::says(figures[1].plot,
+                         "Preferred stimulus of each pair: more happy (pairs 9 to 10 of 10)"));
   for (const ResultFigure& figure : figures) test::expect_texts_apart(figure.plot);
+}
+
+TEST(ResultFigures, DividesWorthsThatCannotBeComparedByHeadings) {
+  const Manifest manifest = all_pairs_study(16);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  const auto is_happy = [](const std::string& id) { return id == "happy" || id == "acted-happy"; };
+  for (AnswerRow& row : rows) {  // both are always preferred to the three others
+    if (!row.counts() || is_happy(row.stimulus) == is_happy(row.against)) continue;
+    row.value = is_happy(row.stimulus) ? row.stimulus : row.against;
+    row.value_raw = is_happy(row.stimulus) ? "left" : "right";
+  }
+  const auto figures = figures_of(results_of_study(manifest, rows), "worth");
+  ASSERT_EQ(figures.size(), 1u);
+  test::expect_texts_apart(figures[0].plot);
+  for (const char* words : {"Group 1, whose worths can be compared with each other only",
+                            "Group 2, whose worths can be compared with each other only",
+                            "Log-worth (0: mean of the group)"})
+    EXPECT_TRUE(test::says(figures[0].plot, words)) << words;
+  const auto whole = figures_of(
+      results_of_study(manifest, answers_to(manifest, {}, {.spread = {.residual = 1.5}})), "worth");
+  EXPECT_FALSE(test::says(whole[0].plot, "Group 1"));
 }
 
 TEST(ResultFigures, DrawsWorthsHighestFirst) {

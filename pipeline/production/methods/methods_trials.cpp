@@ -1,0 +1,238 @@
+// What participants see and answer in a trial, and in which order.
+
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_pairs.h"
+#include "pipeline/production/methods/methods_parts.h"
+#include "pipeline/production/methods/prose.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// More scales or choices than these are only counted.
+constexpr std::size_t most_listed = 8;
+
+std::string quoted(const std::string& text) { return "“" + motion::printable(text) + "”"; }
+
+/// "the scale sad–happy", "6 scales (sad–happy, …)"
+std::string scales_text(const ScaleSet& asked) {
+  Names names;
+  for (const Scale& scale : asked.scales) names.push_back(scale.low + "–" + scale.high);
+  if (names.size() == 1) return "the scale " + names.front();
+  const std::string count = fmt::format("{} scales", names.size());
+  return names.size() > most_listed ? count : fmt::format("{} ({})", count, fmt::join(names, ", "));
+}
+
+std::string choices_text(const Manifest& manifest) {
+  Names shown;
+  for (const auto& [id, label] : questionnaire_choices(manifest))
+    shown.push_back(motion::printable(label));
+  return shown.size() > most_listed
+             ? fmt::format("{} choices", shown.size())
+             : fmt::format("{} choices ({})", shown.size(), fmt::join(shown, ", "));
+}
+
+/// How scales are answered.
+void describe_scale_answers(MethodsText& out) {
+  const AnswerSettings& answer = out.manifest.questionnaire->answer;
+  if (answer.words) {
+    out.say(answer.suggest.empty()
+                ? "Answers were free words"
+                : "Answers were free words, with suggestions while participants typed");
+    return;
+  }
+  std::string text = answer.slider ? "Scales were sliders"
+                                   : fmt::format("Scales had {} points, {}", answer.points,
+                                                 answer.anchors ? "each with a label"
+                                                                : "with labels at both ends");
+  text += answer.starts_at == StartsAt::middle ? ", initially in the middle"
+                                               : ", without an initial answer";
+  out.say(text + (answer.side == PoleSide::random
+                      ? "; the side of the high end varied between participants and scales"
+                      : "; the high end was always on the right"));
+}
+
+std::string pair_text(const Manifest& manifest) {
+  return pair_presentation(*manifest.questionnaire) == PairPresentation::in_turn
+             ? "two films one after the other"
+             : "two films side by side";
+}
+
+/// "mood: y", or the stimuli by name
+std::string signal_text(const StimulusChoice& signal) {
+  Names parts;
+  for (const auto& [factor, levels] : signal.levels)
+    parts.push_back(fmt::format("{}: {}", factor, fmt::join(levels, " or ")));
+  for (const std::string& id : signal.ids) parts.push_back(id);
+  return fmt::format("{}", fmt::join(parts, signal.levels.empty() ? ", " : "; "));
+}
+
+/// What is shown and asked in a trial, as a sentence without its full stop.
+std::string task_text(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  const TrialForm* form = asked.trials;
+  const ScaleSet scales = questionnaire_scales(manifest);
+  if (form == &emotion_form)
+    return "In each trial, participants saw one film and answered by one of " +
+           choices_text(manifest) +
+           (scales.scales.empty() ? "" : ", and rated it on " + scales_text(scales));
+  if (form == &pair_form)
+    return fmt::format(
+        "In each trial, participants saw {} and chose, for {}, the one closer to the high end{}{}",
+        pair_text(manifest), scales_text(scales),
+        asked.preference.ties ? "; they could also answer that there was no difference" : "",
+        asked.preference.strength ? "; a preference was slight or strong" : "");
+  if (form == &same_different_form)
+    return fmt::format(
+        "In each trial, participants saw {} and said whether they were the same or different; in "
+        "{:.0f} % of the trials, they were the same{}",
+        pair_text(manifest), 100.0 * asked.same_different.same,
+        asked.same_different.differ_in.empty()
+            ? ""
+            : "; different ones differed in " + asked.same_different.differ_in + " only");
+  if (form == &yes_no_form)
+    return fmt::format(
+        "In each trial, participants saw one film and said whether the signal was present; {} of "
+        "{} had the signal ({})",
+        signal_stimuli(manifest).size(),
+        count_of(questionnaire_stimuli(manifest).size(), "stimulus", "stimuli"),
+        signal_text(asked.signal));
+  if (form == &two_interval_form)
+    return fmt::format(
+        "In each trial, participants saw two films one after the other, one of them with the "
+        "signal "
+        "({}), and said which one had it",
+        signal_text(asked.signal));
+  if (form == &best_worst_form)
+    return fmt::format(
+        "In each trial, participants saw a set of {} films and chose, for {}, those closest to the "
+        "high and to the low end; there were {} sets, in which all stimuli occurred about equally "
+        "often",
+        asked.best_worst.size, scales_text(scales), questionnaire_subject_count(manifest));
+  if (form == &rating_form && asked.answer.words)
+    return "In each trial, participants saw one film and described it in words (" +
+           scales_text(scales) + ")";
+  if (form == &rating_form)
+    return "In each trial, participants saw one film and rated it on " + scales_text(scales);
+  return fmt::format("Trials were of the kind {}", form->name);
+}
+
+void describe_task(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  out.say(task_text(out.manifest));
+  if (!asked.question.empty()) out.say("The question was " + quoted(asked.question.text));
+  if (asked.trials->is_on_scale && !questionnaire_scales(out.manifest).scales.empty())
+    describe_scale_answers(out);
+  if (!asked.preference.alike.empty() && asked.trials == &pair_form)
+    out.say("Only stimuli with the same level of " + listed(asked.preference.alike) +
+            " were compared");
+  if (!asked.reference.empty())
+    out.say("The stimulus " + asked.reference + " was shown beside it for comparison");
+  if (asked.comments) out.say("Participants could add a comment to each trial");
+}
+
+void describe_display(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  if (asked.view == ShownAs::turn) {
+    out.say("Motions were shown as stick figures that participants could turn");
+  } else {
+    std::string watching = asked.watch == Watching::full
+                               ? "Answers were possible after a film had been played to its end"
+                               : "Answers were possible before a film had ended";
+    if (!asked.replays.most)
+      watching += "; films could be replayed without limit";
+    else if (*asked.replays.most == 0)
+      watching += "; films could not be replayed";
+    else
+      watching += fmt::format("; films could be replayed {}",
+                              *asked.replays.most == 1
+                                  ? std::string("once")
+                                  : fmt::format("up to {} times", *asked.replays.most));
+    out.say(watching);
+  }
+  const DisplaySize& size = asked.display.size;
+  const std::string calibrated = ", on a screen that participants calibrated with a bank card";
+  switch (size.kind) {
+    case DisplaySize::Kind::window:
+      out.say("Films were as large as the window allowed");
+      break;
+    case DisplaySize::Kind::native:
+      out.say("One pixel of a film was one pixel of the screen");
+      break;
+    case DisplaySize::Kind::cm:
+      out.say(fmt::format("Films were {:g} cm wide{}", size.amount, calibrated));
+      break;
+    case DisplaySize::Kind::degrees:
+      out.say(
+          fmt::format("Films were {:g}° of visual angle wide at a distance of {:g} cm, which "
+                      "participants were asked to keep{}",
+                      size.amount, asked.display.distance_cm, calibrated));
+      break;
+  }
+}
+
+std::string order_text(const Questionnaire& asked) {
+  switch (asked.order.kind) {
+    case TrialOrder::Kind::fixed:
+      return "Trials had the same order for all participants";
+    case TrialOrder::Kind::latin:
+      return "The order of trials followed a Williams square";
+    case TrialOrder::Kind::blocked:
+      return "Trials were blocked by " + asked.order.factor +
+             ", with blocks, and trials within blocks, in random order for each participant";
+    case TrialOrder::Kind::full:
+      break;
+  }
+  return "Trials were in random order for each participant";
+}
+
+void describe_order(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  const std::size_t all = questionnaire_subject_count(out.manifest);
+  const std::size_t own = asked.per_participant > 0
+                              ? std::min(all, static_cast<std::size_t>(asked.per_participant))
+                              : all;
+  const std::string one = asked.trials->judged;
+  const std::string many = one == "stimulus" ? "stimuli" : one + "s";
+  out.say(own < all
+              ? fmt::format("Each participant saw {} of the {}, which were shared out so that "
+                            "all were seen about equally often",
+                            own, count_of(all, one, many))
+              : fmt::format("Each participant saw all {}", count_of(all, one, many)));
+  std::string order = order_text(asked);
+  if (!asked.no_repeats.empty())
+    order += fmt::format("; successive trials differed in {}", listed(asked.no_repeats));
+  out.say(order);
+  Names further;
+  const auto add = [&](int count, const std::string& what, const std::string& several) {
+    if (count > 0) further.push_back(count_of(static_cast<std::size_t>(count), what, several));
+  };
+  add(static_cast<int>(asked.practice.size()), "practice trial", "practice trials");
+  add(asked.warm_up, "warm-up trial", "warm-up trials");
+  add(asked.repeated, "repeated trial (test–retest)", "repeated trials (test–retest)");
+  if (!further.empty()) {
+    const bool is_one = further.size() == 1 && further.front().starts_with("1 ");
+    out.say(fmt::format("In addition there {} {}, {} not analysed with the others",
+                        is_one ? "was" : "were", listed(further),
+                        is_one ? "which was" : "which were"));
+  }
+  if (asked.attention_every > 0)
+    out.say(fmt::format("About every {} trials, an attention check asked for a certain answer",
+                        asked.attention_every));
+}
+
+}  // namespace
+
+void describe_trials(MethodsText& out) {
+  describe_task(out);
+  describe_display(out);
+  describe_order(out);
+}
+
+}  // namespace mien::pipeline

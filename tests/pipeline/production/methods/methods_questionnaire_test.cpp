@@ -1,0 +1,244 @@
+// What the methods section says of participants, procedure and analysis.
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/reading/schema.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/schema_paths.h"
+#include "pipeline/production/methods/methods.h"
+#include "pipeline/production/methods/prose.h"
+#include "pipeline/production/run/option_variants.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MethodsQuestionnaire : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { test::write_variant_files(folder()); }
+
+  static const fs::path& folder() {
+    static const test::TemporaryFolder files;
+    return files.path();
+  }
+
+  static std::string methods_for(const std::string& text) {
+    const fs::path file = folder() / "m.yaml";
+    std::ofstream(file) << text;
+    const ManifestReading reading =
+        check_manifest(file, [](const std::string&) { return std::nullopt; });
+    if (!reading.faults.empty()) ADD_FAILURE() << Faults(reading.faults).what();
+    Motions motions(reading.manifest);
+    return methods_of(reading.manifest, motions).markdown;
+  }
+
+  /// A study of four stimuli with these members of its questionnaire.
+  static std::string methods_of_asked(const std::string& members) {
+    return methods_for(
+        "mien: 1\nstudy: s\nseed: 7\nexamples: {set: builtin:walks-10}\n"
+        "output: {video: [mp4]}\nquestionnaire: {" +
+        members +
+        "}\nstimuli:\n"
+        "  - {id: a, weights: {normal: 1}, factors: {actor: k, mood: x}}\n"
+        "  - {id: b, weights: {sad: 1}, factors: {actor: k, mood: y}}\n"
+        "  - {id: c, weights: {proud: 1}, factors: {actor: m, mood: x}}\n"
+        "  - {id: d, weights: {tired: 1}, factors: {actor: m, mood: y}}\n");
+  }
+
+  static void expect_said(const std::string& text, const std::string& words) {
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+  }
+};
+
+/// What a reader of the methods need not know: the wording of texts that participants read, codes
+/// and addresses of recruitment, the assumed pace, and which stimuli are for practice or form the
+/// listed pairs (their numbers are told). The last two say nothing without checks or rules.
+bool is_left_out(const std::string& path) {
+  constexpr std::array<std::string_view, 18> paths = {"questionnaire.title",
+                                                      "questionnaire.texts",
+                                                      "questionnaire.consent",
+                                                      "questionnaire.instructions",
+                                                      "questionnaire.debriefing",
+                                                      "questionnaire.ending",
+                                                      "questionnaire.pace",
+                                                      "questionnaire.answer.suggest",
+                                                      "questionnaire.recruitment.prolific",
+                                                      "questionnaire.recruitment.redirect",
+                                                      "questionnaire.analysis.plan",
+                                                      "questionnaire.screening.questions[].ask",
+                                                      "questionnaire.screening.questions[].answer",
+                                                      "questionnaire.demographics[].",
+                                                      "questionnaire.practice",
+                                                      "questionnaire.pairs",
+                                                      "questionnaire.analysis.max_failed_checks",
+                                                      "questionnaire.analysis.quality.flagged"};
+  return std::ranges::any_of(paths, [&](std::string_view start) {
+    return path == start || path.starts_with(std::string(start) + ".") ||
+           (start.ends_with('.') && path.starts_with(start));
+  });
+}
+
+// An option that is new in the schema is tried as soon as it is there.
+TEST_F(MethodsQuestionnaire, TellsEveryOptionThatTheSchemaKnows) {
+  std::map<std::string, std::string> known;
+  const auto told = [&](const nlohmann::json& document) -> const std::string& {
+    const std::string text = document.dump();
+    const auto [entry, is_new] = known.try_emplace(text);
+    if (is_new) entry->second = methods_for(text);
+    return entry->second;
+  };
+  int options = 0;
+  for (const auto& [path, node] : test::properties_of(manifest_schema())) {
+    if (path != "questionnaire" && !path.starts_with("questionnaire.")) continue;
+    if (test::has_one_value(path) || is_left_out(path)) continue;
+    SCOPED_TRACE(path);
+    const test::OptionVariants variants = test::variants_of(path, node);
+    EXPECT_NE(told(variants.first), told(variants.second));
+    ++options;
+  }
+  EXPECT_GT(options, 50);
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhoTookPart) {
+  const std::string text = methods_of_asked(
+      "participants: 40, scales: [slow-fast], consent: Yes., "
+      "consent_version: '2', demographics: [{id: age, ask: 'How old?', answer: number}, {id: hand, "
+      "ask: 'Which?', answer: [l, r]}], recruitment: {prolific: {completed: DONE}, pseudonymise: "
+      "true}, screening: {questions: [{id: years, ask: 'How many?', answer: number, accept: {from: "
+      "18, to: 65}}], quotas: [{of: {years: {to: 30}}, at_most: 20}], window: [800, 600], sound: "
+      "true}");
+  for (const char* words :
+       {"# Participants\n\n",
+        "The planned number of participants was 40; they were recruited on "
+        "Prolific.",
+        "Conditions for taking part were years (from 18 to 65), a window of at least 800 × 600 "
+        "pixels and audible sound, shown by counting tones. Phones were not admitted.",
+        "The numbers of participants were limited to 20 (years: 30 or less).",
+        "gave consent (version 2).", "They were asked for age and hand.",
+        "The questionnaire was in English.", "kept as keyed hashes only"})
+    expect_said(text, words);
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhatWasAskedOfARating) {
+  const std::string text = methods_of_asked(
+      "participants: 4, scales: [slow-fast, sad-happy], answer: {points: 7, anchors: false}, "
+      "per_participant: 3, no_repeats: [mood], practice: [a], attention: {every: 2}, replays: 1, "
+      "display: {size: {degrees: 12}, distance_cm: 57}, analysis: {alpha: 0.01, "
+      "max_failed_checks: 1, correction: bh}");
+  for (const char* words :
+       {"# Procedure\n\n",
+        "In each trial, participants saw one film and rated it on 2 scales (slow–fast, "
+        "sad–happy).",
+        "Scales had 7 points, with labels at both ends, without an initial answer; the side of the "
+        "high end varied between participants and scales.",
+        "films could be replayed once.",
+        "Films were 12° of visual angle wide at a distance of 57 cm, which participants were asked "
+        "to keep, on a screen that participants calibrated with a bank card.",
+        "Each participant saw 3 of the 4 stimuli",
+        "Trials were in random order for each participant; successive trials differed in mood.",
+        "In addition there was 1 practice trial, which was not analysed with the others.",
+        "# Analysis\n\nTests were two-sided with α = .01; p values were corrected within each "
+        "family "
+        "of tests by the method of Benjamini and Hochberg.",
+        "Participants who failed more than 1 attention check were left out."})
+    expect_said(text, words);
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {
+  expect_said(
+      methods_of_asked("participants: 4, scales: [slow-fast], trials: pair, preference: {ties: "
+                       "true, shown: in_turn, alike: [actor]}"),
+      "participants saw two films one after the other and chose, for the scale slow–fast, the one "
+      "closer to the high end; they could also answer that there was no difference.");
+  expect_said(methods_of_asked("participants: 4, trials: emotion, choices: [sad, happy, calm]"),
+              "participants saw one film and answered by one of 3 choices (sad, happy, calm).");
+  expect_said(methods_of_asked("participants: 4, trials: same_different, same_different: {same: "
+                               "0.25}"),
+              "in 25 % of the trials, they were the same.");
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: best_worst, "
+                               "best_worst: {size: 3, sets: 4}"),
+              "participants saw a set of 3 films and chose, for the scale slow–fast, those closest "
+              "to the high and to the low end; there were 4 sets");
+  expect_said(methods_of_asked("participants: 4, trials: yes_no, question: 'Sad?', signal: {mood: "
+                               "[y]}"),
+              "said whether the signal was present; 2 of 4 stimuli had the signal (mood: y). The "
+              "question was "
+              "“Sad?”.");
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhichLanguagesThereWere) {
+  expect_said(
+      methods_of_asked("participants: 4, scales: [sad-happy], language: {browser: [en, ja]}"),
+      "The questionnaire was in English and Japanese, whichever the participant's browser "
+      "preferred.");
+}
+
+TEST_F(MethodsQuestionnaire, BeginsNoSentenceWithANumeral) {
+  const std::string text = methods_of_asked("participants: 4, scales: [sad-happy]");
+  expect_said(text, "Four stimuli were blended from examples with given weights.");
+  EXPECT_FALSE(std::regex_search(text, std::regex("(\\. |\n)[0-9]"))) << text;
+  EXPECT_EQ(sentence_start("1 stimulus was"), "One stimulus was");
+  EXPECT_EQ(sentence_start("21 stimuli were"), "Twenty-one stimuli were");
+  EXPECT_EQ(sentence_start("99 stimuli"), "Ninety-nine stimuli");
+  EXPECT_EQ(sentence_start("100 stimuli were"), "A total of 100 stimuli were");
+  EXPECT_EQ(sentence_start("Of 3 stimuli"), "Of 3 stimuli");
+}
+
+TEST_F(MethodsQuestionnaire, StandsInPreregistrationsWithoutTheStimuli) {
+  const std::string text = methods_of_asked("participants: 4, scales: [sad-happy]");
+  const ManifestReading reading =
+      check_manifest(folder() / "m.yaml", [](const std::string&) { return std::nullopt; });
+  EXPECT_EQ(procedure_of(reading.manifest), text.substr(text.find("# Participants")));
+}
+
+TEST_F(MethodsQuestionnaire, HasNoSectionsWithoutOne) {
+  const std::string text = methods_for(
+      "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, stimuli: [{id: a, weights: "
+      "{sad: 1}}]}");
+  for (const char* heading : {"# Participants", "# Procedure", "# Analysis"})
+    EXPECT_EQ(text.find(heading), std::string::npos);
+}
+
+TEST_F(MethodsQuestionnaire, NamesTheFactorsOfTheDesignOnly) {
+  const std::string text = methods_of_asked("participants: 4, scales: [slow-fast]");
+  expect_said(text, "The factors were actor (k, m) and mood (x, y).");
+  EXPECT_EQ(text.find("example ("), std::string::npos);
+  expect_said(text,
+              "The examples were 10 synthetic motions (mien's built-in example set walks-10). Of "
+              "these, 4 were used.");
+}
+
+TEST_F(MethodsQuestionnaire, AsksOnceToCompleteWhatCannotBeCited) {
+  const std::string text = methods_for(
+      "{mien: 1, study: s, seed: 7, examples: {set: builtin:walks-10}, interpolation: {method: "
+      "cardinal}, stimuli: [{id: a, adjectives: {quickness: 0.6}}, {id: b, weights: {sad: 1}, "
+      "modify: {emotion: tired}}]}");
+  EXPECT_TRUE(
+      text.starts_with("> To be completed by the author of the study: the following works "
+                       "are not known well enough to be cited."))
+      << text;
+  expect_said(text,
+              "Source 1: a paper on motion interpolation with parameters based on adjectives");
+  expect_said(text, "(source 1 above)");
+  EXPECT_EQ(text.find("@adjectives"), std::string::npos);
+  EXPECT_EQ(text.find("@emotionthesis2010"), std::string::npos);
+  EXPECT_EQ(text.find("Source 3"), std::string::npos);
+  std::size_t notes = 0;
+  for (std::size_t at = text.find("To be completed"); at != std::string::npos;
+       at = text.find("To be completed", at + 1))
+    ++notes;
+  EXPECT_EQ(notes, 1u);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
