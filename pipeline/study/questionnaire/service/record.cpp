@@ -115,6 +115,7 @@ std::vector<AnswerRow> rows_left_out(const QuestionnaireFacts& facts, const Sess
     if (trial.kind == &grid_trials)
       trial.kind->complete(question_of(facts, plan, trial, asked), row);
     row.pole_left.clear();
+    row.stimulus_sha256 = hash_at(facts.sha256, row.stimulus);
     if (rows.empty()) row.comment = table_text(record.comment);
     rows.push_back(std::move(row));
   }
