@@ -7,6 +7,7 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
@@ -73,6 +74,37 @@ std::string signal_text(const StimulusChoice& signal) {
   return fmt::format("{}", fmt::join(parts, signal.levels.empty() ? ", " : "; "));
 }
 
+/// "4 films", "3 to 5 films"
+std::string set_size_text(const std::vector<GridSet>& sets) {
+  std::size_t least = sets.empty() ? 0 : sets.front().stimuli.size();
+  std::size_t most = least;
+  for (const GridSet& set : sets) {
+    least = std::min(least, set.stimuli.size());
+    most = std::max(most, set.stimuli.size());
+  }
+  return least == most ? count_of(most, "film", "films")
+                       : fmt::format("{} to {} films", least, most);
+}
+
+std::string grid_text(const Manifest& manifest) {
+  const GridSettings& grid = manifest.questionnaire->grid;
+  const std::vector<GridSet> sets = grid_sets(manifest);
+  const std::string made = grid.alike.empty()
+                               ? "listed"
+                               : "formed by stimuli with the same level of " + listed(grid.alike);
+  const auto among = [](const std::string& what, const StimulusChoice& choice) {
+    return is_stated(choice) ? fmt::format("; {} ({})", what, signal_text(choice)) : std::string();
+  };
+  return fmt::format(
+      "In each trial, participants saw a set of {}, which they played one at a time as often as "
+      "they liked, and rated each on a slider from 0 to 100, for {} (multiple stimuli with hidden "
+      "reference and anchor, ITU-R BS.1534-3); there {}, {}{}{}",
+      set_size_text(sets), scales_text(questionnaire_scales(manifest)),
+      sets.size() == 1 ? "was 1 set" : fmt::format("were {} sets", sets.size()), made,
+      among("the reference was shown openly and hidden among the others", grid.reference),
+      among("an anchor was among them", grid.anchor));
+}
+
 /// What is shown and asked in a trial, as a sentence without its full stop.
 std::string task_text(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
@@ -115,6 +147,7 @@ std::string task_text(const Manifest& manifest) {
         "high and to the low end; there were {} sets, in which all stimuli occurred about equally "
         "often",
         asked.best_worst.size, scales_text(scales), questionnaire_subject_count(manifest));
+  if (form == &grid_form) return grid_text(manifest);
   if (form == &rating_form && asked.answer.words)
     return "In each trial, participants saw one film and described it in words (" +
            scales_text(scales) + ")";
@@ -127,7 +160,8 @@ void describe_task(MethodsText& out) {
   const Questionnaire& asked = *out.manifest.questionnaire;
   out.say(task_text(out.manifest));
   if (!asked.question.empty()) out.say("The question was " + quoted(asked.question.text));
-  if (asked.trials->is_on_scale && !questionnaire_scales(out.manifest).scales.empty())
+  if (asked.trials->is_on_scale && !asked.trials->is_grid &&
+      !questionnaire_scales(out.manifest).scales.empty())
     describe_scale_answers(out);
   if (!asked.preference.alike.empty() && asked.trials == &pair_form)
     out.say("Only stimuli with the same level of " + listed(asked.preference.alike) +
@@ -135,6 +169,17 @@ void describe_task(MethodsText& out) {
   if (!asked.reference.empty())
     out.say("The stimulus " + asked.reference + " was shown beside it for comparison");
   if (asked.comments) out.say("Participants could add a comment to each trial");
+}
+
+/// The viewing distance, as the rest of a sentence.
+std::string distance_text(MethodsText& out) {
+  const DisplaySettings& display = out.manifest.questionnaire->display;
+  const std::string asked =
+      fmt::format("{:g} cm, which participants were asked to keep", display.distance_cm);
+  return display.blind_spot
+             ? "; the viewing distance was measured with the blind spot of the eye" +
+                   out.cite({"li2020"}) + " or, where this was not possible, taken as " + asked
+             : "; the viewing distance was " + asked;
 }
 
 void describe_display(MethodsText& out) {
@@ -166,13 +211,12 @@ void describe_display(MethodsText& out) {
       out.say("One pixel of a film was one pixel of the screen");
       break;
     case DisplaySize::Kind::cm:
-      out.say(fmt::format("Films were {:g} cm wide{}", size.amount, calibrated));
+      out.say(fmt::format("Films were {:g} cm wide{}", size.amount, calibrated) +
+              distance_text(out));
       break;
     case DisplaySize::Kind::degrees:
-      out.say(
-          fmt::format("Films were {:g}° of visual angle wide at a distance of {:g} cm, which "
-                      "participants were asked to keep{}",
-                      size.amount, asked.display.distance_cm, calibrated));
+      out.say(fmt::format("Films were {:g}° of visual angle wide{}", size.amount, calibrated) +
+              distance_text(out));
       break;
   }
 }

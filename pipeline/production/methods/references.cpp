@@ -193,6 +193,15 @@ constexpr Reference references[] = {
   year = {2020},
   address = {Geneva})",
      "techreport"},
+    {"li2020", "Li, Joo, Yeatman and Reinecke 2020",
+     R"(  author = {Li, Qisheng and Joo, Sung Jun and Yeatman, Jason D. and Reinecke, Katharina},
+  title = {Controlling for Participants' Viewing Distance in Large-Scale, Psychophysical Online
+    Experiments Using a Virtual Chinrest},
+  journal = {Scientific Reports},
+  volume = {10},
+  pages = {904},
+  year = {2020},
+  doi = {10.1038/s41598-019-57204-1})"},
     {.key = "adjectives",
      .label = "paper on adjectives",
      .missing =

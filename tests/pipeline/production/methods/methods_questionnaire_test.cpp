@@ -142,8 +142,8 @@ TEST_F(MethodsQuestionnaire, SaysWhatWasAskedOfARating) {
         "Scales had 7 points, with labels at both ends, without an initial answer; the side of the "
         "high end varied between participants and scales.",
         "films could be replayed once.",
-        "Films were 12° of visual angle wide at a distance of 57 cm, which participants were asked "
-        "to keep, on a screen that participants calibrated with a bank card.",
+        "Films were 12° of visual angle wide, on a screen that participants calibrated with a bank "
+        "card; the viewing distance was 57 cm, which participants were asked to keep.",
         "Each participant saw 3 of the 4 stimuli",
         "Trials were in random order for each participant; successive trials differed in mood.",
         "In addition there was 1 practice trial, which was not analysed with the others.",
@@ -152,6 +152,25 @@ TEST_F(MethodsQuestionnaire, SaysWhatWasAskedOfARating) {
         "of tests by the method of Benjamini and Hochberg.",
         "Participants who failed more than 1 attention check were left out."})
     expect_said(text, words);
+}
+
+TEST_F(MethodsQuestionnaire, SaysThatTheViewingDistanceWasMeasured) {
+  const std::string text = methods_of_asked(
+      "participants: 4, scales: [slow-fast], display: {size: {degrees: 12}, distance_cm: 57, "
+      "blind_spot: true}");
+  expect_said(text,
+              "measured with the blind spot of the eye [@li2020] or, where this was not "
+              "possible, taken as 57 cm");
+}
+
+TEST_F(MethodsQuestionnaire, SaysHowSetsOfGridsAreMadeUp) {
+  const std::string text = methods_of_asked(
+      "participants: 4, scales: [slow-fast], trials: grid, grid: {alike: [actor], reference: "
+      "{mood: x}}");
+  expect_said(text, "participants saw a set of 2 films, which they played one at a time");
+  expect_said(text,
+              "there were 2 sets, formed by stimuli with the same level of actor; the "
+              "reference was shown openly and hidden among the others (mood: x).");
 }
 
 TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {
