@@ -171,6 +171,7 @@ TEST_F(MethodsQuestionnaire, SaysHowSetsOfGridsAreMadeUp) {
   expect_said(text,
               "there were 2 sets, formed by stimuli with the same level of actor; the "
               "reference was shown openly and hidden among the others (mood: x).");
+  EXPECT_EQ(text.find("Scales had"), std::string::npos) << text;
 }
 
 TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {
