@@ -159,7 +159,7 @@ export class GridStage implements TrialStage, GridFilms {
   }
 
   /** A film that does not go on by itself may be started again without its counting as a replay. */
-  private watch(index: number): void {
+  private watch(index: number, longestMs = 0): void {
     clearTimeout(this.watchDog);
     this.watchDog = window.setTimeout(() => {
       if (this.playing !== index) return;
@@ -173,7 +173,7 @@ export class GridStage implements TrialStage, GridFilms {
       this.stops += 1;
       if (this.stops >= stopsOfFault) this.offerToLeaveOut("stalled");
       this.changed();
-    }, patienceMs);
+    }, longestMs + patienceMs);
   }
 
   private began(index: number, at: number): void {
@@ -183,6 +183,7 @@ export class GridStage implements TrialStage, GridFilms {
 
   private wentOn(): void {
     clearTimeout(this.watchDog);
+    if (this.playing !== null) this.watch(this.playing, 1000 * this.shown[this.playing]!.media.seconds);
     if (this.stalledAt === null) return;
     this.stalls += 1;
     this.stallMs += this.now() - this.stalledAt;

@@ -84,6 +84,7 @@ export class Stage implements TrialStage {
   private playedAt: number | null = null;
   private stops = 0;
   private waiting = 0;
+  private longestMs: number;
   private offer = element("div", { class: "play-fault" });
 
   constructor(
@@ -97,6 +98,7 @@ export class Stage implements TrialStage {
     this.root = element("div", { class: `stage ${look}` });
     if (settings.display) this.root.classList.add("fixed");
     this.frames = element("div", { class: "frames" });
+    this.longestMs = 1000 * Math.max(...shown.map(({ media }) => media.seconds));
     const isLoaded = shown.every(({ url }) => url !== undefined);
     if (isLoaded) for (const one of shown) this.frames.append(this.frameOf(one));
     this.showFrame(0);
@@ -208,9 +210,10 @@ export class Stage implements TrialStage {
     this.watch();
   }
 
-  private watch(): void {
+  /** What does not go on, or does not end long after it should have, may be started again. */
+  private watch(longestMs = 0): void {
     clearTimeout(this.watchDog);
-    this.watchDog = window.setTimeout(() => this.offerRestart(), patienceMs);
+    this.watchDog = window.setTimeout(() => this.offerRestart(), longestMs + patienceMs);
   }
 
   private began(at: number): void {
@@ -232,7 +235,7 @@ export class Stage implements TrialStage {
   }
 
   private wentOn(): void {
-    clearTimeout(this.watchDog);
+    this.watch(this.longestMs);
     if (this.stalledAt === null) return;
     this.stall_ms += this.now() - this.stalledAt;
     this.stalledAt = null;

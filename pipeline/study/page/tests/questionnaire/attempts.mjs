@@ -80,9 +80,13 @@ async function unplayable() {
   const { page } = opened;
   await page.addInitScript(() => {
     const play = HTMLMediaElement.prototype.play;
-    // The film of the first trial, which is for practice, never begins.
+    // The film of the first trial, which is for practice, begins and never ends at first; then it never begins.
+    let times = 0;
     HTMLMediaElement.prototype.play = function () {
-      return document.querySelector(".badge") ? new Promise(() => {}) : play.call(this);
+      if (!document.querySelector(".badge")) return play.call(this);
+      times += 1;
+      if (times <= document.querySelectorAll("video").length) this.dispatchEvent(new Event("playing"));
+      return new Promise(() => {});
     };
   });
   await page.goto(`${server.base}/index.html?participant=p001`);

@@ -99,7 +99,13 @@ async function take() {
           await browser.reload();
           continue;
         }
-        await until("!document.querySelector('.answers').inert");
+        // On a busy machine, WebKit may stop playing and not tell it.
+        await until(`(() => {
+          const play = document.querySelector('.play');
+          const isLocked = document.querySelector('.answers').inert;
+          if (isLocked && !play.hidden && !document.querySelector('.stage.playing')) play.click();
+          return !isLocked;
+        })()`);
       }
       await browser.run(`const wanted = document.querySelector('.question-text').textContent;
         for (const asked of document.querySelectorAll('fieldset.asked')) {
