@@ -166,7 +166,7 @@ TEST_F(MethodsQuestionnaire, SaysThatTheViewingDistanceWasMeasured) {
 TEST_F(MethodsQuestionnaire, SaysHowSetsOfGridsAreMadeUp) {
   const std::string text = methods_of_asked(
       "participants: 4, scales: [slow-fast], trials: grid, grid: {alike: [actor], reference: "
-      "{mood: x}}");
+      "{mood: [x]}}");
   expect_said(text, "participants saw a set of 2 films, which they played one at a time");
   expect_said(text,
               "there were 2 sets, formed by stimuli with the same level of actor; the "
