@@ -31,7 +31,8 @@ TEST_F(QuestionnairePage, KnowsAfterAReloadWhatWasWatchedAndLeavesOutWhatCannotB
     const json& taken = told.at(replays);
     EXPECT_EQ(taken.at("troubles"), json::array());
     EXPECT_EQ(taken.at("is_locked"), true) << "the first playing was broken off";
-    EXPECT_EQ(taken.at("offered"), replays == std::string("counted")) << replays;
+    EXPECT_EQ(taken.at("offered"), replays != std::string("none"))
+        << replays << ": one playing was interrupted and one was not";
     EXPECT_EQ(taken.at("focus"), true) << "what was watched once may be answered";
     const auto rows = rows_of_trial(taken, 1);
     ASSERT_FALSE(rows.empty());

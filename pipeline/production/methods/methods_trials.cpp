@@ -257,7 +257,9 @@ void describe_order(MethodsText& out) {
   const auto add = [&](int count, const std::string& what, const std::string& several) {
     if (count > 0) further.push_back(count_of(static_cast<std::size_t>(count), what, several));
   };
-  add(static_cast<int>(asked.practice.size()), "practice trial", "practice trials");
+  add(static_cast<int>(asked.trials == &grid_form ? practice_grid_sets(out.manifest).size()
+                                                  : asked.practice.size()),
+      "practice trial", "practice trials");
   add(asked.warm_up, "warm-up trial", "warm-up trials");
   add(asked.repeated, "repeated trial (test–retest)", "repeated trials (test–retest)");
   if (!further.empty()) {

@@ -41,7 +41,8 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The demographic questions: all columns that are not in participant_form, except `simulated`.
+  /// The demographic questions: all columns that are not in participant_form, except `simulated`
+  /// and the counts of tones.
   std::vector<std::string> questions() const;
   /// Names of participants whose column `finished` is 1; if there is a column session, also as
   /// "participant/session".

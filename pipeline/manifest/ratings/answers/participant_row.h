@@ -19,6 +19,7 @@ struct ParticipantRow {
   std::string language;         ///< of the pages (BCP 47); empty: unknown
   std::string consent_version;  ///< of the consent text; may be empty
   std::string consent_sha256;   ///< of the consent text; empty if the study has none
+  std::string closing_comment;  ///< what the participant wrote on the last page; or empty
   std::vector<std::string> answers;  ///< answers to the questions about the participant
 };
 

@@ -45,7 +45,8 @@ figcaption { font-size: .85rem; margin-top: .3rem; }
 details { margin: .6rem 0; }
 summary { cursor: pointer; color: var(--quiet); }
 a { color: inherit; }
-@media print { figure, tr { break-inside: avoid; } details { display: block; } }
+@media print { figure, tr { break-inside: avoid; } details { display: block; }
+  .wide { overflow: visible; } .wide table { font-size: 0.55em; } }
 )";
 
 }  // namespace mien::pipeline

@@ -27,8 +27,9 @@ std::string flow_html(const Results& results) {
     rows += HtmlRow().text(one.stage).number(one.sessions).html();
   if (rows.empty()) return "";
   return wide_table({"<participation", "sessions"}, rows) +
-         "<p class=\"quiet\">Of who refuses or withdraws nothing is kept; their numbers are on the "
-         "experimenter’s page of a served study.</p>\n";
+         "<p class=\"quiet\">Nothing is kept of people who refuse or withdraw; their numbers are "
+         "on "
+         "the experimenter’s page of a served study.</p>\n";
 }
 
 }  // namespace

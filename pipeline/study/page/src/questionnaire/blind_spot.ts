@@ -1,6 +1,6 @@
 // The viewing distance by the blind spot of the eye, which lies at a known angle (Li, Joo, Yeatman and Reinecke 2020,
-// Scientific Reports 10, 904): the participant looks at a square with the left eye alone, while a dot moves to the left,
-// and tells when it has disappeared.
+// Scientific Reports 10, 904): the participant looks at a square with the left eye alone, while a dot moves to the
+// left, and tells when it has disappeared.
 
 import { button, element, heading, paragraphs } from "./elements";
 import { Drawer } from "./store";
@@ -23,14 +23,21 @@ export function distanceOf(session: string): number | null | undefined {
 
 export const forgetDistance = (session: string): void => drawerOf(session).clear();
 
+function shape(look: string, perMm: number): HTMLElement {
+  const made = element("div", { class: look });
+  made.style.width = made.style.height = `${sizeMm * perMm}px`;
+  return made;
+}
+
+/** The square that is looked at. */
+const sight = (perMm: number): HTMLElement => shape("sight", perMm);
+
 /** One reading: the distance between square and dot when the participant answers, pixels; null where the dot left. */
 function readingOf(field: HTMLElement, perMm: number, answered: Promise<void>): Promise<number | null> {
   return new Promise((done) => {
     const size = sizeMm * perMm;
-    const square = element("div", { class: "sight" });
-    const dot = element("div", { class: "dot" });
-    for (const one of [square, dot]) one.style.width = one.style.height = `${size}px`;
-    field.replaceChildren(square, dot);
+    const dot = shape("dot", perMm);
+    field.replaceChildren(sight(perMm), dot);
     const reach = field.clientWidth - size;
     const began = performance.now();
     let apart = 0;
@@ -80,6 +87,7 @@ export function measureDistance(display: HTMLElement, texts: Texts, session: str
       }
       return null;
     };
+    field.replaceChildren(sight(perMm));
     display.replaceChildren(element("article", { class: "page wide-field" }, heading(texts.blindSpot),
       ...paragraphs(texts.blindSpotHow), field, note, element("div", { class: "buttons" }, go, cannot)));
     go.focus();

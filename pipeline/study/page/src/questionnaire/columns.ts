@@ -14,7 +14,7 @@ export const answerColumns = [
 
 export const participantColumns = [
   "participant", "session", "design", "consented_at", "finished", "ended",
-  "screening_fault", "language", "consent_version", "consent_sha256",
+  "screening_fault", "language", "consent_version", "consent_sha256", "closing_comment",
 ] as const;
 
 export const trialColumns = [

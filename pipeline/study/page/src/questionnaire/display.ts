@@ -94,14 +94,18 @@ export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number
     const step = (by: number) => {
       slider.value = String(Number(slider.value) + by);
       show();
+      touched();
     };
-    slider.addEventListener("input", show);
+    // A card of the width that the picture has at first would be chance: whoever changes nothing has not compared.
+    const touched = () => { confirm.disabled = false; };
+    slider.addEventListener("input", () => { show(); touched(); });
     show();
     const head = heading(texts.calibrate);
     const confirm = button(texts.sizesMatch, () => {
       drawer().write(Number(slider.value) / cardMm[0]);
       done();
     }, "main");
+    confirm.disabled = true;
     display.replaceChildren(element("article", { class: "page calibration" }, head,
       ...paragraphs([texts.calibrateHow, texts.sitAt({ cm: distanceCm })]), card,
       element("div", { class: "card-width" }, button("−", () => step(-1)), slider, button("+", () => step(1))),

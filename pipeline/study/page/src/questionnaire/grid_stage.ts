@@ -176,6 +176,11 @@ export class GridStage implements TrialStage, GridFilms {
     }, longestMs + patienceMs);
   }
 
+  /** Plays a film by its number, from 1, if there is one. */
+  playNumber(number: number): void {
+    if (number <= this.films.length && number - 1 !== this.reference()) this.playFilm(number - 1);
+  }
+
   private began(index: number, at: number): void {
     this.firstStart ??= at - this.beganAt;
     if (this.settings.watch === "free" && this.playing === index) this.saw(index);

@@ -145,7 +145,8 @@ function timelineOf(own: Session) {
   if (experiment.settings.display)
     timeline.push(calibrating,
       { type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
-  const keys = [...(isTouched() ? [] : [texts.keys]),
+  const isGrid = session.trials.some(({ kind }) => kind === "grid");
+  const keys = [...(isTouched() ? [] : [isGrid ? texts.gridKeys : texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
   const isResumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));
   timeline.push(textPage(own, "", { title: texts.instructions,

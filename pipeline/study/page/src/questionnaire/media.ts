@@ -34,8 +34,10 @@ async function fetched(media: Media): Promise<string> {
 export function playsThrough(video: HTMLVideoElement): Promise<void> {
   const isHere = video.src.startsWith("blob:");
   return new Promise((ready, failed) => {
-    if (video.readyState >= (isHere ? HTMLMediaElement.HAVE_FUTURE_DATA : HTMLMediaElement.HAVE_ENOUGH_DATA)) return ready();
-    video.addEventListener(isHere ? "canplay" : "canplaythrough", () => ready(), { once: true });
+    const [enough, event] = isHere ? [HTMLMediaElement.HAVE_FUTURE_DATA, "canplay"]
+      : [HTMLMediaElement.HAVE_ENOUGH_DATA, "canplaythrough"];
+    if (video.readyState >= enough) return ready();
+    video.addEventListener(event, () => ready(), { once: true });
     video.addEventListener("error", () => failed(new Error(video.error?.message ?? "no video")),
       { once: true });
   });

@@ -148,6 +148,7 @@ export function participantsCsv(
     language: records.consent?.language ?? "",
     consent_version: experiment.consent?.version ?? "",
     consent_sha256: experiment.consent?.sha256 ?? "",
+    closing_comment: tableText(records.ending?.comment ?? ""),
   };
   for (const name of ["screening", "demographics"])
     for (const { item, value_raw: valueRaw } of records[name]?.responses ?? []) row[item] = String(valueRaw);

@@ -179,8 +179,9 @@ export class Stage implements TrialStage {
     if (this.state !== "covered") return false;
     const { replays } = this.settings;
     const { before } = this.attempt;
-    if (before.ended + this.played.ended === 0 || replays === "counted") return true;
-    return typeof replays === "number" && before.begun + this.played.begun <= replays;
+    const ended = before.ended + this.played.ended;
+    if (ended === 0 || replays === "counted") return true;
+    return typeof replays === "number" && ended <= replays;
   }
 
   play(): void {
@@ -285,6 +286,7 @@ export class Stage implements TrialStage {
   private showCover(): void {
     const { texts } = this;
     const plays = this.played.begun + this.attempt.before.begun;
+    const ended = this.played.ended + this.attempt.before.ended;
     this.cover.hidden = this.state === "playing";
     this.root.classList.toggle("playing", this.state === "playing");
     // What is turned may be looked at from all sides when it stands still again.
@@ -297,8 +299,8 @@ export class Stage implements TrialStage {
     if (plays === 0) this.playButton.append(element("kbd", {}, texts.playKey));
     const { replays } = this.settings;
     if (this.state === "loading") this.note.textContent = texts.waitForVideo;
-    else if (plays > 0 && typeof replays === "number" && this.canPlay())
-      this.note.textContent = texts.replaysLeft({ left: replays - plays + 1 });
+    else if (ended > 0 && typeof replays === "number" && this.canPlay())
+      this.note.textContent = texts.replaysLeft({ left: replays - ended + 1 });
     else this.note.textContent = "";
   }
 

@@ -38,7 +38,8 @@ export async function storeOf<Own extends { participant: string }>(
 }
 
 /** Goes on in the session that the person of this link began before, if it is still there. */
-export async function goOnWhereJoined(experiment: { design: string; joining?: boolean }, parameters: Parameters): Promise<void> {
+export async function goOnWhereJoined(
+  experiment: { design: string; joining?: boolean }, parameters: Parameters): Promise<void> {
   const path = experiment.joining && joinedSession(experiment, parameters);
   if (!path) return;
   const answer = await fetch(`${path}session.json`, { cache: "no-store" });

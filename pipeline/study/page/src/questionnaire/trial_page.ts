@@ -66,6 +66,7 @@ class TrialAtWork {
   private comment = element("textarea", { rows: "2", maxlength: "4000", id: "comment" });
   private asked: Asked[] = [];
   private stage: TrialStage | null = null;
+  private grid: GridStage | undefined;
   private attempt: TrialAttempt;
   private answersSince = performance.now();
   private isOpen = false;
@@ -83,7 +84,7 @@ class TrialAtWork {
     const { trial, around, page } = this;
     const { experiment, texts } = around;
     const shown = shownOf(trial, around);
-    const grid = trial.kind === "grid" ? new GridStage(shown, experiment.settings, texts, this.attempt, this.began,
+    const grid = this.grid = trial.kind === "grid" ? new GridStage(shown, experiment.settings, texts, this.attempt, this.began,
       (fault) => void this.leaveOut(fault)) : undefined;
     this.asked = kindOf(trial).ask({ trial, experiment, texts, grid,
       choices: around.session.choices ?? Object.keys(experiment.choices ?? {}),
@@ -196,7 +197,7 @@ class TrialAtWork {
   }
 
   private answered(asked: Asked, isKey: boolean): void {
-    if (this.trial.kind === "grid") this.updateMissing();
+    this.updateMissing();
     if (!this.missing().length) this.note.textContent = "";
     if (!isKey) return;
     const after = this.asked[this.asked.indexOf(asked) + 1];
@@ -220,7 +221,8 @@ class TrialAtWork {
 
   /**
    * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing. Digits
-   * choose an answer to the first question without one, wherever the focus is. Enter confirms.
+   * choose an answer to the first question without one, wherever the focus is; in a grid, they play the films. Enter
+   * confirms.
    */
   private pressed = (event: KeyboardEvent): void => {
     if (document.querySelector("dialog[open]")) return;
@@ -232,9 +234,11 @@ class TrialAtWork {
     if (event.key === " " && this.stage && !isButton && !writes) {
       event.preventDefault();
       this.stage.play();
-    } else if (/^[1-9]$/.test(event.key) && !isModified && this.isOpen && !writes && !this.answers.contains(at)) {
+    } else if (/^[1-9]$/.test(event.key) && !isModified && this.isOpen && !writes &&
+        (this.grid || !this.answers.contains(at))) {
       const [first] = this.missing();
-      first?.root.dispatchEvent(new KeyboardEvent("keydown", { key: event.key }));
+      if (this.grid) this.grid.playNumber(Number(event.key));
+      else first?.root.dispatchEvent(new KeyboardEvent("keydown", { key: event.key }));
     } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
       if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();

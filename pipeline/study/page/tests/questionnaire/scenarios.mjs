@@ -397,6 +397,7 @@ async function prolific() {
   const remembered = await leaving.evaluate(() => JSON.stringify(localStorage));
   const withdrawn = { remembered, offered, still_offered: await offer.count(), ...(await backOf(leaving)) };
   await leaving.goto(left);
+  await leaving.waitForSelector(".page h1");
   withdrawn.again = await text(leaving);
 
   const careless = await come("5f08");
