@@ -65,15 +65,6 @@ const ConsentText* consent_text(const QuestionnaireFacts& facts, const PageRecor
   return consent.consent ? &*consent.consent : nullptr;
 }
 
-/// A text as tables have it: control characters except line breaks and tabs are spaces.
-std::string in_table(std::string text) {
-  for (char& one : text) {
-    const auto code = static_cast<unsigned char>(one);
-    if ((code < 0x20 && one != '\n' && one != '\t') || code == 0x7f) one = ' ';
-  }
-  return text;
-}
-
 /// The row of a session, without answers.
 ParticipantRow participant_row(const QuestionnaireFacts& facts, const SessionState& state,
                                const PageRecord& consent) {
@@ -164,7 +155,7 @@ std::string participants_csv(const ServedStudy& study, const StudySessions& sess
     ParticipantRow row = participant_row(study.facts, state, parsed(own.front()));
     row.consented_at = own.front().stored_at;
     if (own.back().name == ending_record)
-      row.closing_comment = in_table(parsed(own.back()).comment);
+      row.closing_comment = table_text(parsed(own.back()).comment);
     const std::vector<ItemResponse> answers = answers_about_participant(own);
     for (const std::string& question : questions) {
       const auto found = std::ranges::find(answers, question, &ItemResponse::item);

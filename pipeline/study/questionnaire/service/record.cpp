@@ -10,6 +10,14 @@
 
 namespace mien::pipeline {
 
+std::string table_text(std::string text) {
+  for (char& character : text) {
+    const auto code = static_cast<unsigned char>(character);
+    if ((code < 0x20 && character != '\n' && character != '\t') || code == 0x7f) character = ' ';
+  }
+  return text;
+}
+
 namespace {
 
 ItemResponse read_response(const nlohmann::json& text) {
@@ -44,15 +52,6 @@ std::vector<std::string> read_hashes(const nlohmann::json* list) {
     hashes.push_back(one.get<std::string>());
   }
   return hashes;
-}
-
-/// Replaces control characters other than line breaks and tabs by spaces.
-std::string table_text(std::string text) {
-  for (char& character : text) {
-    const auto code = static_cast<unsigned char>(character);
-    if ((code < 0x20 && character != '\n' && character != '\t') || code == 0x7f) character = ' ';
-  }
-  return text;
 }
 
 /// Values in one line each; those that are empty are left out.

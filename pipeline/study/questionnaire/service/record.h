@@ -81,6 +81,9 @@ struct PageRecord {
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
 };
 
+/// Text as tables have it: control characters other than line breaks and tabs become spaces.
+std::string table_text(std::string text);
+
 /// Parses a record. Throws RecordFault for members that are unknown, missing or of a wrong type,
 /// numbers out of range, and texts that are too long.
 PageRecord read_record(const nlohmann::json& text);

@@ -54,8 +54,9 @@ TEST_F(Service, ExportsWhatWasGiven) {
   EXPECT_EQ(answer_rows(parse_csv(csv, "answers.csv")).size(), 7u);
   EXPECT_EQ(get(lab() + "participants.csv").body,
             "participant,session,design,consented_at,finished,ended,screening_fault,"
-            "language,consent_version,consent_sha256,age,hand\n"
-            "p002,a1b2,0123abcd,2027-01-15T08:00:00Z,1,completed,,,,,31,left\n");
+            "language,consent_version,consent_sha256,closing_comment,age,hand\n"
+            "p002,a1b2,0123abcd,2027-01-15T08:00:00Z,1,completed,,,,,\"Nice, \"\"really\"\" \",31,"
+            "left\n");
   const nlohmann::json all = nlohmann::json::parse(get(lab() + "answers.json").body);
   EXPECT_EQ(all.at("sessions").at(1).at("records").size(), 9u);
   study_.public_url = "https://lab.example.org";

@@ -153,6 +153,7 @@ nlohmann::json good_record(const ServedStudy& study, int plan, const std::string
   if (name == "demographics")
     record["responses"] = {{{"item", "age"}, {"value_raw", 31}},
                            {{"item", "hand"}, {"value_raw", "left"}}};
+  if (name == "ending") record["comment"] = "Nice, \"really\"\a";
   const Trial* trial = trial_of(study.plans.at(static_cast<std::size_t>(plan)), name);
   if (trial == nullptr) return record;
   for (const TrialItem& asked : trial->items)

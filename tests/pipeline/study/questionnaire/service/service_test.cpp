@@ -69,7 +69,7 @@ TEST_F(Service, TakesNothingOfThoseWhoRefuse) {
   EXPECT_EQ(status().at("participants").at(0).at("state"), "refused");
   EXPECT_EQ(participants_csv(study_, service_.sessions()),
             "participant,session,design,consented_at,finished,ended,screening_fault,"
-            "language,consent_version,consent_sha256,age,hand\n");
+            "language,consent_version,consent_sha256,closing_comment,age,hand\n");
 }
 
 TEST_F(Service, RefusesWhatIsNoRecordOfThatPage) {
