@@ -93,8 +93,9 @@ PageRecord read_record(const nlohmann::json& text);
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts);
 
 /// One row for each response of a trial, in their order; of a trial that was left out since its
-/// stimuli could not be played (play_fault), one for each item, without an answer. The record must have been checked
-/// (record_check.h). Control characters in texts, except line breaks and tabs, become spaces.
+/// stimuli could not be played (play_fault), one for each item, without an answer. The record must
+/// have been checked (record_check.h). Control characters in texts, except line breaks and tabs,
+/// become spaces.
 std::vector<AnswerRow> rows_of(const QuestionnaireFacts& facts, const SessionPlan& plan,
                                const Trial& trial, const PageRecord& record);
 
