@@ -58,8 +58,8 @@ TEST_F(QuestionnairePage, IsTakenInFirefox) {
   const std::string firefox = program_among({"firefox-esr", "firefox"});
   if (firefox.empty() || !fs::exists(packages / "node_modules/puppeteer-core"))
     GTEST_SKIP() << "no Firefox here, or nothing that drives it: ./mien test --all brings both";
-  expect_taken(told_by({(page_tests() / "other_browsers.mjs").string(), "firefox",
-                        folder().string(), packages.string(), firefox}),
+  expect_taken(output_of({(page_tests() / "other_browsers.mjs").string(), "firefox",
+                          folder().string(), packages.string(), firefox}),
                "Firefox/");
 }
 
@@ -68,8 +68,8 @@ TEST_F(QuestionnairePage, IsTakenInWebKit) {
   if (program_among({"WebKitWebDriver"}).empty() || program_among({"xvfb-run"}).empty() ||
       mini_browser().empty() || !fs::exists(packages / "node_modules/selenium-webdriver"))
     GTEST_SKIP() << "no WebKitGTK here, or nothing that drives it: ./mien test --all brings both";
-  expect_taken(told_by({(page_tests() / "other_browsers.mjs").string(), "webkit", folder().string(),
-                        packages.string(), mini_browser()}),
+  expect_taken(output_of({(page_tests() / "other_browsers.mjs").string(), "webkit",
+                          folder().string(), packages.string(), mini_browser()}),
                "AppleWebKit/");
 }
 

@@ -91,11 +91,11 @@ class QuestionnairePage : public testing::Test {
   static nlohmann::json played(const std::string& scenario) { return played(scenario, folder()); }
 
   static nlohmann::json played(const std::string& scenario, const std::filesystem::path& given) {
-    return told_by({(page_tests() / "scenarios.mjs").string(), scenario, given.string()});
+    return output_of({(page_tests() / "scenarios.mjs").string(), scenario, given.string()});
   }
 
-  /// What a script with these arguments tells.
-  static nlohmann::json told_by(const std::vector<std::string>& script) {
+  /// The JSON that a script with these arguments prints.
+  static nlohmann::json output_of(const std::vector<std::string>& script) {
     std::vector<std::string> command = {"env", "MIEN_CHROMIUM=" + chromium_path(), "node"};
     command.insert(command.end(), script.begin(), script.end());
     const Ended ended = run_program(command, 400.0);

@@ -26,7 +26,7 @@ TEST_F(QuestionnairePage, GoesOnAfterAReload) {
 }
 
 TEST_F(QuestionnairePage, KnowsAfterAReloadWhatWasWatchedAndLeavesOutWhatCannotBePlayed) {
-  const json told = told_by({(page_tests() / "attempts.mjs").string(), folder().string()});
+  const json told = output_of({(page_tests() / "attempts.mjs").string(), folder().string()});
   for (const char* replays : {"none", "once", "counted"}) {
     const json& taken = told.at(replays);
     EXPECT_EQ(taken.at("troubles"), json::array());
@@ -168,7 +168,7 @@ TEST_F(QuestionnairePage, MeasuresTheViewingDistanceWithTheBlindSpot) {
   const fs::path there = scratch->path() / "distant";
   must_run(mien_with({"study", "export", manifest.string(), "--out",
                       (scratch->path() / "out-distant").string(), "-o", there.string()}));
-  const json told = told_by({(page_tests() / "blind_spot.mjs").string(), there.string()});
+  const json told = output_of({(page_tests() / "blind_spot.mjs").string(), there.string()});
   const auto width_px = [&](double distance_cm) {
     return 20.0 * distance_cm * std::tan(degrees / 2.0 * pi / 180.0) * card_px / card_mm;
   };

@@ -127,7 +127,7 @@ class ProlificRoundTrip : public QuestionnairePage {
   }
 
   static json taken(const std::string& mode, const std::string& given) {
-    return told_by({(page_tests() / "round_trip.mjs").string(), mode, given});
+    return output_of({(page_tests() / "round_trip.mjs").string(), mode, given});
   }
 
   static fs::path exported() {

@@ -112,10 +112,12 @@ std::set<std::string> ParticipantTable::finished() const {
 
 namespace {
 
-/// Parameters of participants' links may identify people: neither reports nor datasets get them.
-void leave_out_parameters(CsvTable& table) {
+/// Parameters of participants' links and closing comments may identify people: neither reports nor
+/// datasets get them.
+void leave_out_what_identifies(CsvTable& table) {
   for (std::size_t column = table.header.size(); column-- > 0;) {
-    if (!is_parameter_column(table.header[column].text)) continue;
+    const std::string& name = table.header[column].text;
+    if (!is_parameter_column(name) && name != "closing_comment") continue;
     const auto at = static_cast<std::ptrdiff_t>(column);
     table.header.erase(table.header.begin() + at);
     for (std::vector<CsvField>& row : table.rows) row.erase(row.begin() + at);
@@ -127,7 +129,7 @@ void leave_out_parameters(CsvTable& table) {
 ParticipantTable read_participants(const std::filesystem::path& file) {
   ParticipantTable participants{read_csv(file)};
   require_column(participants.table, "participant");
-  leave_out_parameters(participants.table);
+  leave_out_what_identifies(participants.table);
   return participants;
 }
 

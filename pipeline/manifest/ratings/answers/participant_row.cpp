@@ -23,7 +23,8 @@ constexpr auto participant_columns = table_of<ParticipantRow>(
       [](auto& r) { return r.consent_version; }},
      {"consent_sha256", "", "SHA-256 of the consent text",
       [](auto& r) { return r.consent_sha256; }},
-     {"closing_comment", "", "participant's comment on the last page",
+     {"closing_comment", "",
+      "participant's comment on the last page; left out of reports and datasets",
       [](auto& r) { return r.closing_comment; }},
      {"*", "", "answer to the question", [](auto& r) { return r.answers; }}});
 

@@ -96,7 +96,7 @@ export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number
       show();
       touched();
     };
-    // A card of the width that the picture has at first would be chance: whoever changes nothing has not compared.
+    // A slider that was never moved means that no card was compared.
     const touched = () => { confirm.disabled = false; };
     slider.addEventListener("input", () => { show(); touched(); });
     show();

@@ -200,6 +200,7 @@ export class GridStage implements TrialStage, GridFilms {
     this.wentOn();
     this.films[index]!.ended += 1;
     this.playing = null;
+    if (this.films.every(({ isReady }) => isReady)) this.offer.replaceChildren();
     this.saw(index);
     this.noteWatched();
     this.playedAt = null;

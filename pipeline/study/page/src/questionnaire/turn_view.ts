@@ -93,7 +93,10 @@ class TurnScreen implements Screen {
     this.frames += 1;
     this.mixer.update(seconds);
     this.draw();
-    if (this.frames === 1) this.told.began(now);
+    if (this.frames === 1) {
+      this.told.began(now);
+      this.told.wentOn();
+    }
     requestAnimationFrame(this.step);
   };
 

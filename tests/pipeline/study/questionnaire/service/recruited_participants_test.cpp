@@ -144,15 +144,16 @@ TEST_P(Recruited, GiveNoOtherParametersAndNoneThatAreTooLong) {
   EXPECT_TRUE(store_.records().empty()) << "nothing is kept of whoever refuses";
 }
 
-TEST(Recruitment, IsNotSeenByReports) {
+TEST(Recruitment, AndWhatIdentifiesPeopleAreNotSeenByReports) {
   const test::TemporaryFolder folder;
   write_file(folder.path() / "p.csv",
-             "participant,session,design,consented_at,finished,url_PROLIFIC_PID,age,jatos_worker\n"
-             "p001,a1,d,2026-01-31T09:00:00Z,1,5f1c,31,7\n");
+             "participant,session,design,consented_at,finished,url_PROLIFIC_PID,age,jatos_worker,"
+             "closing_comment,tones_1\n"
+             "p001,a1,d,2026-01-31T09:00:00Z,1,5f1c,31,7,I am Jo,5\n");
   const ParticipantTable table = read_participants(folder.path() / "p.csv");
   EXPECT_EQ(table.questions(), std::vector<std::string>{"age"});
   ASSERT_EQ(table.table.rows.size(), 1u);
-  EXPECT_EQ(table.table.rows[0].size(), 6u);
+  EXPECT_EQ(table.table.rows[0].size(), 7u) << "the count of tones is kept, and asks nothing";
   EXPECT_EQ(table.table.rows[0][5].text, "31");
 }
 
