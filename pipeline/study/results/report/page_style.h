@@ -46,7 +46,9 @@ details { margin: .6rem 0; }
 summary { cursor: pointer; color: var(--quiet); }
 a { color: inherit; }
 @media print { figure, tr { break-inside: avoid; } details { display: block; }
-  .wide { overflow: visible; } .wide table { font-size: 0.55em; } }
+  .wide { overflow: visible; } .wide table { width: 100%; }
+  .wide :is(th, td) { font-size: .5rem; white-space: normal; position: static; min-width: 0;
+    padding: 1px 3px 1px 0; overflow-wrap: break-word; } }
 )";
 
 }  // namespace mien::pipeline
