@@ -119,6 +119,7 @@ async function answerByKeys(page, number) {
 async function passText(page, byKeys, age) {
   const number = page.locator('.question input[inputmode="decimal"]');
   const choice = page.locator(".question .line input").first();
+  if (await page.locator(".card-width").count()) await page.locator(".card-width input").press("ArrowRight");
   if (byKeys && await number.count()) {
     await page.keyboard.type("31");
     await page.keyboard.press("Tab");

@@ -773,18 +773,19 @@ async function grid() {
   await next.click();
   await page.waitForFunction(() => !document.querySelector(".grid-stage"));
   // A film that never begins, played by its number: the trial can be left out.
-  await takeToTrial(page);
-  await page.waitForFunction(() => !document.querySelector(".play-film:disabled"));
-  await page.evaluate(() => { HTMLMediaElement.prototype.play = () => new Promise(() => {}); });
+  const other = (await open(`${onDisk}?participant=p002`)).page;
+  await takeToTrial(other);
+  await other.waitForFunction(() => !document.querySelector(".play-film:disabled"));
+  await other.evaluate(() => { HTMLMediaElement.prototype.play = () => new Promise(() => {}); });
   for (let stops = 0; stops < 2; stops += 1) {
-    await page.keyboard.press("2");
-    await page.waitForSelector(".grid-stage.playing");
-    await page.waitForFunction(() => /stopped/.test(document.querySelector(".stage-note").textContent), null,
+    await other.keyboard.press("2");
+    await other.waitForSelector(".grid-stage.playing");
+    await other.waitForFunction(() => /stopped/.test(document.querySelector(".stage-note").textContent), null,
       { timeout: 15000 });
   }
-  const place = await page.locator(".trial-head h1").textContent();
-  await page.locator(".play-fault .button").nth(1).click();
-  await page.waitForFunction((before) => document.querySelector(".trial-head h1")?.textContent !== before, place);
+  const place = await other.locator(".trial-head h1").textContent();
+  await other.locator(".play-fault .button").nth(1).click();
+  await other.waitForFunction((before) => document.querySelector(".trial-head h1")?.textContent !== before, place);
   return { covered, notes, during, isStopped, values, troubles };
 }
 
