@@ -27,7 +27,7 @@ std::string as_png(const Plot& plot, double dots_per_inch = 200.0);
 /// if a file cannot be written.
 void write_plot(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
 
-inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings  模擬評定";
+inline constexpr std::string_view simulated_ratings_mark = "Simulated ratings";
 
 /// Draws the label of pages based on simulated data: a box with rounded ends, its top right corner
 /// at `corner`, and text of `size` points. Returns its box.

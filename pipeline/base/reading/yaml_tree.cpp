@@ -253,16 +253,30 @@ std::optional<Place> tab_in_indentation(const YamlPlaces& places, const Place& l
   return std::nullopt;
 }
 
+/// Whether a question mark precedes a comma or a bracket, which the parser takes for a sign of YAML
+/// inside [ ] and { }.
+bool has_question_in_brackets(std::string_view line) {
+  for (std::size_t at = line.find('?'); at != line.npos; at = line.find('?', at + 1)) {
+    const std::size_t next = line.find_first_not_of(' ', at + 1);
+    if (next != line.npos && std::string_view(",]}").find(line[next]) != std::string_view::npos)
+      return true;
+  }
+  return false;
+}
+
 /// The parser's fault at its mark, or an earlier fault that explains it better.
 Fault syntax_fault(const YamlPlaces& places, const YAML::ParserException& error) {
   const Place place = places.at(error.mark);
   if (const auto tab = tab_in_indentation(places, place))
     return {*tab, "", "a tab in the indentation", "use spaces"};
-  const bool expands = places.line(place.line).find("${") != std::string_view::npos;
+  const std::string_view line = places.line(place.line);
+  const bool expands = line.find("${") != std::string_view::npos;
   return {place, "",
           "not valid YAML: " + motion::excerpt(error.msg, 2 * motion::max_quoted_characters),
           expands ? "put \"${…}\" in quotes inside [ ] and { }"
-                  : "check quotes, brackets, colons and indentation up to here"};
+          : has_question_in_brackets(line)
+              ? "put texts that end with ? in quotes inside [ ] and { }"
+              : "check quotes, brackets, colons and indentation up to here"};
 }
 
 std::optional<Fault> refuse_text(std::string_view text, const std::string& file) {

@@ -58,7 +58,12 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
 FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                              const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
-  files["procedure.md"] = procedure_of(manifest);
+  const Methods procedure = procedure_of(manifest);
+  files["procedure.md"] =
+      "*The sections of the methods as they will be stated after the study, if it is run as "
+      "planned; hence the past tense.*\n\n" +
+      procedure.markdown;
+  files["references.bib"] = procedure.bibtex;
   add_dummy_answers(files, manifest, plans);
   add_dummy_report(files, manifest, plans);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
@@ -148,6 +153,21 @@ void print_power(const DesignCommand& command, const Manifest& manifest, const C
     print_power_of(scale, question, manifest, console, out);
 }
 
+/// Warns if the usual standard deviations, those of scales from -2 to 2, are assumed on longer
+/// ones.
+void warn_of_usual_spread(const DesignCommand& command, const Manifest& manifest,
+                          const Console& console) {
+  if (!command.power || !command.ratings.empty() || !command.spread.empty()) return;
+  const ScaleSet asked = questionnaire_scales(manifest);
+  const auto longer = std::ranges::find_if(
+      asked.scales, [](const Scale& scale) { return scale.most - scale.least > 8.0; });
+  if (longer == asked.scales.end()) return;
+  console.err << fmt::format(
+      "warning: {} goes from {:g} to {:g}, but the standard deviations assumed for its ratings are "
+      "those of scales from -2 to 2; state --spread and --difference\n",
+      longer->id, longer->least, longer->most);
+}
+
 /// The planned tests, simulated with the assumptions of the command.
 std::optional<PlannedTestsResult> planned_tests_of(const DesignCommand& command,
                                                    const Manifest& manifest,
@@ -177,12 +197,34 @@ void print_duration(const std::vector<SessionPlan>& plans, const Console& consol
                  "ask fewer scales\n";
 }
 
+/// "46 trials each: 40 analysed, 2 of practice, 4 attention checks"; ranges where sessions differ.
+std::string trials_text(const std::vector<SessionPlan>& plans) {
+  const auto counted = [&](auto&& is_such) {
+    std::ptrdiff_t least = std::ranges::count_if(plans[0].trials, is_such), most = least;
+    for (const SessionPlan& plan : plans) {
+      const std::ptrdiff_t count = std::ranges::count_if(plan.trials, is_such);
+      least = std::min(least, count);
+      most = std::max(most, count);
+    }
+    return least == most ? std::to_string(most) : fmt::format("{} to {}", least, most);
+  };
+  std::string text =
+      fmt::format("{} trials each: {} analysed", counted([](const Trial&) { return true; }),
+                  counted([](const Trial& trial) { return trial.is_analysed(); }));
+  const auto add = [&](const std::string& count, const char* what) {
+    if (count != "0") text += fmt::format(", {} {}", count, what);
+  };
+  add(counted([](const Trial& trial) { return trial.practice; }), "for practice");
+  add(counted([](const Trial& trial) { return trial.warm_up; }), "to warm up");
+  add(counted([](const Trial& trial) { return trial.is_check && !trial.is_attention_check(); }),
+      "repeated");
+  add(counted([](const Trial& trial) { return trial.is_attention_check(); }), "attention checks");
+  return text;
+}
+
 void print_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                   const Balance& balance, const Console& console, std::ostream& out) {
-  const auto is_analysed = [](const Trial& trial) { return trial.is_analysed(); };
-  out << fmt::format("{}: {} participants, {} trials each, of which {} are analysed\n",
-                     manifest.study, plans.size(), plans[0].trials.size(),
-                     std::ranges::count_if(plans[0].trials, is_analysed));
+  out << fmt::format("{}: {} participants, {}\n", manifest.study, plans.size(), trials_text(plans));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
     out << sentence << '\n';
@@ -220,6 +262,7 @@ int design(const DesignCommand& command, const Console& console) {
     refuse_figure_loss(command.planned);
   }
   refuse_data_loss(tables, files_of_design(command, manifest), command.frozen);
+  warn_of_usual_spread(command, manifest, console);
   const std::optional<PlannedTestsResult> tests = planned_tests_of(command, manifest, console);
   if (tests) tables.back().csv = power_table(tests->rows).csv;
   std::optional<FrozenArchive> archive;

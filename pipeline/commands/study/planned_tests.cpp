@@ -113,26 +113,26 @@ PlannedTestsResult simulate_planned_tests(const PlannedTestsCommand& command,
       std::ranges::find(options.participants, asked.participants) == options.participants.end()
           ? options.participants.back()
           : asked.participants;
+  result.assumptions = power_assumptions(manifest, options);
   result.rows = planned_power(manifest, options);
   return result;
 }
 
 void print_planned_tests(const PlannedTestsResult& result, double wanted_power,
                          const Manifest& manifest, std::ostream& out) {
-  const AnalysisPlan& plan = questionnaire_of(manifest).analysis;
-  out << fmt::format(
-      "\nPower of the planned tests with {} participants, in percent (simulated studies, α = "
-      "{:g}):\n",
-      result.stated_participants, plan.alpha);
+  const double alpha = questionnaire_of(manifest).analysis.alpha;
+  out << fmt::format("\nPower of the planned tests with {} participants, in percent:\n",
+                     result.stated_participants);
   for (const std::string& sentence :
-       planned_power_lines(result.rows, result.stated_participants, wanted_power, plan.alpha))
+       planned_power_lines(result.rows, result.stated_participants, wanted_power, alpha))
     out << "  " << sentence << '\n';
+  for (const std::string& sentence : result.assumptions) out << sentence << '\n';
 }
 
 void write_power_figure(const PlannedTestsCommand& command, const PlannedTestsResult& result,
                         double wanted_power, const Manifest& manifest, std::ostream& out) {
   const fs::path table = command.table;
-  write_plot(power_chart(title_of(manifest), result.rows, wanted_power),
+  write_plot(power_chart(title_of(manifest), result.rows, wanted_power, result.assumptions),
              table.has_parent_path() ? table.parent_path() : fs::path("."), table.stem().string());
   for (const fs::path& file : figure_files(command)) out << file.string() << '\n';
 }

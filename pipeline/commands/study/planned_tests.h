@@ -22,6 +22,7 @@ std::vector<CommandOption> planned_tests_options(PlannedTestsCommand& options);
 /// The power of planned tests.
 struct PlannedTestsResult {
   std::vector<PlannedTestPower> rows;
+  std::vector<std::string> assumptions;  ///< sentences
   int stated_participants = 0;  ///< the planned number or, if it is not simulated, the largest one
 };
 

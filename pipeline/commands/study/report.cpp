@@ -134,12 +134,25 @@ std::vector<std::string> excluded_sentences(const Results& results) {
   return sentences;
 }
 
-/// What the analysis does with what the rules flag, whose counts are followed by those of all.
-const char* consequence_of(const std::vector<RuleCount>& counts) {
-  const auto rules = std::span(counts).subspan(1, counts.size() - 2);  // without attention checks
-  const auto excluded = std::ranges::count_if(rules, &RuleCount::is_excluded);
-  if (excluded == std::ssize(rules)) return "excluded";
-  return excluded == 0 ? "included" : "excluded or included, as the report states";
+/// Prints how many answers and participants the rules flag, and what the analysis does with them.
+/// The last of the counts is that of all rules.
+void print_rule_counts(const AnswerSet& answer_set, const std::vector<RuleCount>& counts,
+                       std::ostream& out) {
+  std::ptrdiff_t rules = 0, excluding = 0;
+  for (const RuleCount& count : std::span(counts).first(counts.size() - 1)) {
+    if (count.rule == word_of(quality_rule_words, QualityRule::max_failed_checks)) continue;
+    ++rules;
+    excluding += count.is_excluded;
+  }
+  const RuleCount& all = counts.back();
+  out << fmt::format(
+      "{} flag {} of {}: {}\n",
+      has_attention_checks(answer_set) ? "quality rules and attention checks" : "quality rules",
+      counted_noun(static_cast<std::size_t>(all.answers), "answer", "answers"),
+      counted_noun(static_cast<std::size_t>(all.participants), "participant", "participants"),
+      excluding == rules ? "excluded"
+      : excluding == 0   ? "included"
+                         : "excluded or included, as the report states");
 }
 
 void print_results(const Results& results, const FrozenVerdict& frozen, const fs::path& folder,
@@ -151,14 +164,7 @@ void print_results(const Results& results, const FrozenVerdict& frozen, const fs
   for (const std::string& sentence : unfinished_sentences(answer_set))
     console.err << sentence << '\n';
   console.out << people_sentence(answer_set) << '\n';
-  if (!results.rule_counts.empty()) {
-    const RuleCount& all = results.rule_counts.back();
-    console.out << fmt::format(
-        "quality rules flag {} of {}: {}\n",
-        counted_noun(static_cast<std::size_t>(all.answers), "answer", "answers"),
-        counted_noun(static_cast<std::size_t>(all.participants), "participant", "participants"),
-        consequence_of(results.rule_counts));
-  }
+  if (!results.rule_counts.empty()) print_rule_counts(answer_set, results.rule_counts, console.out);
   if (!frozen.sentence.empty()) console.out << frozen.sentence << '\n';
   for (const std::string& difference : frozen.differences)
     console.out << "  " << difference << '\n';

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <string>
@@ -8,6 +9,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/questionnaire_grid.h"
 
@@ -100,6 +102,24 @@ std::vector<Fault> sound_warnings(const Manifest& manifest) {
   return list.take();
 }
 
+/// Where a single bad rating is more than the post-screening allows.
+std::vector<Fault> post_screening_warnings(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  if (!asked.trials->is_grid || !is_stated(asked.grid.reference) ||
+      asked.analysis.quality.post_screening != FlaggedAnswers::excluded)
+    return {};
+  const int trials = analysed_trials(manifest);
+  if (1.0 / trials <= post_screening_share) return {};
+  FaultList list(manifest.places);
+  list.add("questionnaire.analysis.quality.post_screening",
+           fmt::format("a single rating of a hidden reference below {:g} excludes a participant, "
+                       "because a session has {} set{}",
+                       post_screening_rating, trials, trials == 1 ? "" : "s"),
+           fmt::format("show at least {:.0f} sets, or omit post_screening",
+                       std::ceil(1.0 / post_screening_share)));
+  return list.take();
+}
+
 }  // namespace
 
 int analysed_trials(const Manifest& manifest) {
@@ -166,6 +186,7 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> warnings = attention_warnings(manifest);
   append(warnings, quality_warnings(manifest));
+  append(warnings, post_screening_warnings(manifest));
   append(warnings, sound_warnings(manifest));
   append(warnings, practice_warnings(manifest));
   append(warnings, factorial_warnings(manifest));

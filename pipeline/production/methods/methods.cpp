@@ -70,12 +70,12 @@ void describe_paths(MethodsText& out) {
 
 }  // namespace
 
-std::string procedure_of(const Manifest& manifest) {
+Methods procedure_of(const Manifest& manifest) {
   Motions motions(manifest);
   MethodsText out(manifest, motions);
   describe_questionnaire(out);
   const std::string text = out.text();
-  return text.substr(text.find("# Participants")) + "\n";
+  return {text.substr(text.find("# Participants")) + "\n", bibtex_of(out.cited())};
 }
 
 Methods methods_of(const Manifest& manifest, Motions& motions) {

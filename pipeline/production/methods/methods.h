@@ -18,7 +18,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions);
 
 /// Returns the sections of the methods on participants, procedure and analysis, for a
 /// preregistration. The manifest must have a questionnaire.
-std::string procedure_of(const Manifest& manifest);
+Methods procedure_of(const Manifest& manifest);
 
 /// Returns the paragraphs as HTML, with works cited by author and year.
 std::string methods_html(const std::string& markdown);

@@ -268,9 +268,13 @@ void describe_order(MethodsText& out) {
                         is_one ? "was" : "were", listed(further),
                         is_one ? "which was" : "which were"));
   }
-  if (asked.attention_every > 0)
-    out.say(fmt::format("About every {} trials, an attention check asked for a certain answer",
-                        asked.attention_every));
+  if (asked.attention_every > 0) {
+    const int trials = static_cast<int>(own) + asked.warm_up + asked.repeated;
+    const int checks = (trials - 1) / asked.attention_every;
+    out.say(fmt::format("About every {} trials, an attention check asked for a certain answer{}",
+                        asked.attention_every,
+                        checks > 0 ? fmt::format(" (about {} in a session)", checks) : ""));
+  }
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include "motion/error.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -57,6 +59,9 @@ Manifest with_stimuli_per_cell(const Manifest& manifest, int count) {
     throw Error(
         "the questionnaire lists its pairs, so that the number of stimuli cannot be varied",
         "leave the numbers of stimuli out, or state preference: {alike: …} instead of pairs");
+  if (!asked.grid.sets.empty())
+    throw Error("the questionnaire lists its sets, so that the number of stimuli cannot be varied",
+                "leave the numbers of stimuli out, or state grid: {alike: …} instead of sets");
   const std::vector<std::string> factors = design_factors(manifest);
   const auto wanted = static_cast<std::size_t>(count);
   std::vector<std::string> ids = questionnaire_stimuli(manifest);
@@ -71,6 +76,13 @@ Manifest with_stimuli_per_cell(const Manifest& manifest, int count) {
     }
   }
   scaled.questionnaire->stimuli = {.ids = ids, .levels = {}};
+  for (const GridSet& set : grid_sets(scaled))
+    if (set.stimuli.size() > most_grid_stimuli)
+      throw Error(fmt::format("with {} per cell, a trial would have {} stimuli, but at most {} are "
+                              "compared in a grid",
+                              counted_noun(wanted, "stimulus", "stimuli"), set.stimuli.size(),
+                              most_grid_stimuli),
+                  "leave larger numbers of stimuli out");
   return scaled;
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/study/power/planned_design.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "motion/error.h"
 #include "pipeline/manifest/factorial_plan.h"
@@ -81,23 +82,25 @@ std::vector<int> PlannedDesign::levels() const {
 PlannedDesign planned_design(const Manifest& manifest, std::size_t participants,
                              const std::vector<double>& group_shares) {
   const Questionnaire& asked = questionnaire_of(manifest);
-  if (asked.trials->stimuli > 1 || asked.trials->is_detection || asked.answer.words ||
+  const bool rates = asked.trials->is_grid || asked.trials->stimuli == 1;
+  if (!rates || asked.trials->is_detection || asked.answer.words ||
       questionnaire_scales(manifest).scales.empty())
-    throw Error("this questionnaire has no ratings of single stimuli",
+    throw Error("this questionnaire has no ratings of stimuli",
                 "leave the power of planned tests out");
   const FactorialPlan& plan = asked.analysis.factorial;
   PlannedDesign design;
   const TrialSubjects subjects = trial_subjects(manifest);
   const FactorTable all = design_table(manifest);
   design.factors.factors = all.factors;
-  for (const std::vector<std::string>& stimuli : subjects.stimuli) {
-    design.stimuli.push_back(stimuli[0]);
-    const auto place = std::ranges::find(manifest.stimuli, stimuli[0], &Stimulus::id);
+  RatedStimuli rated = rated_stimuli(manifest, subjects, participants);
+  design.stimuli = std::move(rated.ids);
+  design.shares = std::move(rated.shares);
+  for (const std::string& stimulus : design.stimuli) {
+    const auto place = std::ranges::find(manifest.stimuli, stimulus, &Stimulus::id);
     design.factors.rows.push_back(
         all.rows[static_cast<std::size_t>(place - manifest.stimuli.begin())]);
   }
   design.scales = questionnaire_scales(manifest).scales;
-  design.shares = participant_subjects(manifest, subjects, participants);
   design.is_complete = subjects_per_participant(manifest, subjects) == subjects.size();
   if (!plan.between.empty()) {
     design.groups = groups_by_shares(

@@ -12,7 +12,6 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/power/design_size.h"
 #include "pipeline/study/power/one_size_power.h"
-#include "pipeline/study/questionnaire/trial_subjects.h"
 
 namespace mien::pipeline {
 
@@ -30,7 +29,8 @@ void sort_by_test(std::vector<PlannedTestPower>& rows) {
 }
 
 void check_size(const Manifest& manifest, const PlannedPowerOptions& options) {
-  const auto stimuli = static_cast<double>(trial_subjects(manifest).size());
+  const auto stimuli = static_cast<double>(
+      std::max(questionnaire_stimuli(manifest).size(), questionnaire_subject_count(manifest)));
   const auto scales = static_cast<double>(questionnaire_scales(manifest).scales.size());
   const double answers = stimuli * scales * options.participants.back() * options.studies;
   if (answers <= most_simulated_answers) return;

@@ -14,11 +14,12 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double margin = 24.0;
-constexpr double header_height = 66.0;
+constexpr double header_height = 74.0;
 constexpr double panel_width = 190.0;
 constexpr double panel_height = 118.0;
 constexpr double panel_step_x = 240.0;
-constexpr double panel_step_y = 196.0;
+constexpr double panel_step_y = 204.0;
+constexpr double note_height = 11.0;
 constexpr std::size_t most_in_row = 3;
 
 /// A test on a scale, with its rows by line.
@@ -72,9 +73,37 @@ struct PowerAxes {
   }
 };
 
+/// The words of a text in lines that are not wider than a panel; what is beyond the last line is
+/// in it, and cut short when it is drawn.
+std::vector<std::string> title_lines(const Canvas& canvas, const std::string& text,
+                                     const TextStyle& style, std::size_t most) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t space = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, space - at);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || lines.size() == most ||
+        canvas.text_width(longer, style) <= style.max_width)
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+    at = space + 1;
+  }
+  return lines;
+}
+
+void draw_title(Canvas& canvas, const PowerPanel& panel, const Box& plot) {
+  const TextStyle style = {.size = 9.0, .bold = true, .max_width = panel_width};
+  const std::vector<std::string> lines = title_lines(canvas, panel.title, style, 2);
+  double y = plot.y - 20.0 - 11.0 * static_cast<double>(lines.size() - 1);
+  for (const std::string& line : lines) {
+    canvas.text({plot.x, y}, line, style);
+    y += 11.0;
+  }
+}
+
 void draw_frame(Canvas& canvas, const PowerPanel& panel, const Box& plot, const PowerAxes& axes) {
-  canvas.text({plot.x, plot.y - 20.0}, panel.title,
-              {.size = 9.0, .bold = true, .max_width = panel_width});
+  draw_title(canvas, panel, plot);
   canvas.text({plot.x, plot.y - 8.0},
               panel.scale + (panel.is_contrast ? ", planned contrast" : ", effect"),
               {.size = 7.5, .colour = quiet_ink, .max_width = panel_width});
@@ -140,7 +169,7 @@ void draw_key(Canvas& canvas, const PowerAxes& axes, bool has_both, double width
 }  // namespace
 
 Plot power_chart(const std::string& study, const std::vector<PlannedTestPower>& rows,
-                 double wanted_power) {
+                 double wanted_power, const std::vector<std::string>& notes) {
   std::vector<PowerPanel> panels = panels_of(rows);
   const std::size_t omitted =
       panels.size() > most_power_panels ? panels.size() - most_power_panels : 0;
@@ -157,8 +186,10 @@ Plot power_chart(const std::string& study, const std::vector<PlannedTestPower>& 
   const std::size_t columns = std::clamp<std::size_t>(panels.size(), 2, most_in_row);
   const std::size_t lines = (panels.size() + columns - 1) / columns;
   const double width = 2.0 * margin + panel_step_x * static_cast<double>(columns);
+  std::vector<std::string> below = notes;
+  if (omitted > 0) below.push_back(fmt::format("{} more tests are in the table.", omitted));
   const double height = 2.0 * margin + header_height + panel_step_y * static_cast<double>(lines) +
-                        (omitted > 0 ? 14.0 : 0.0);
+                        note_height * static_cast<double>(below.size());
   // The panels refer to the rows, which the drawing therefore keeps.
   const auto kept = std::vector<PlannedTestPower>(rows);
   return {"Power of the planned tests", width, height, [=](Canvas& canvas) {
@@ -179,10 +210,10 @@ Plot power_chart(const std::string& study, const std::vector<PlannedTestPower>& 
               draw_frame(canvas, drawn[i], plot, axes);
               draw_lines(canvas, drawn[i], plot, axes);
             }
-            if (omitted > 0)
-              canvas.text({margin, height - margin},
-                          fmt::format("{} more tests are in the table.", omitted),
-                          {.size = 8.0, .colour = quiet_ink});
+            double y = height - margin - note_height * static_cast<double>(below.size());
+            for (const std::string& note : below)
+              canvas.text({margin, y += note_height}, note,
+                          {.size = 8.0, .colour = quiet_ink, .max_width = width - 2.0 * margin});
           }};
 }
 

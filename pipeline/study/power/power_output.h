@@ -12,11 +12,16 @@ namespace mien::pipeline {
 /// The table of the power of planned tests: a row for each test and size of the study.
 WrittenTable power_table(const std::vector<PlannedTestPower>& rows);
 
+/// Sentences on what is assumed: sizes of effects, standard deviations, numbers of simulated
+/// studies, level of significance and correction.
+std::vector<std::string> power_assumptions(const Manifest& manifest,
+                                           const PlannedPowerOptions& options);
+
 /// The power of each test against the number of participants, with a line for each number of
 /// stimuli per cell and for each way of testing, and Monte-Carlo intervals. At most
-/// most_power_panels tests, planned contrasts first.
+/// most_power_panels tests, planned contrasts first. `notes` are printed below, a line each.
 Plot power_chart(const std::string& study, const std::vector<PlannedTestPower>& rows,
-                 double wanted_power);
+                 double wanted_power, const std::vector<std::string>& notes = {});
 
 inline constexpr std::size_t most_power_panels = 24;
 

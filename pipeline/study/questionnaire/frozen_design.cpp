@@ -38,8 +38,11 @@ constexpr char readme[] =
     "plans.csv            every trial of every participant\n"
     "balance.csv          how often each stimulus appears, in which position and after which\n"
     "scales.csv           scales used\n"
+    "scale_words.csv      names of their ends in all languages\n"
     "analysis-plan.txt    planned analysis\n"
-    "procedure.md         participants, procedure and analysis as the methods section states them\n"
+    "procedure.md         participants, procedure and analysis as the methods section will state "
+    "them\n"
+    "references.bib       works that it cites (BibTeX)\n"
     "stimuli.csv          SHA-256 of all media shown\n"
     "inputs/              the manifest and the files that it names\n"
     "inputs.csv           hashes of these and of the motions that they name\n"
@@ -78,6 +81,29 @@ constexpr auto scales_columns = table_of<Scale>(
      {"high_ja", "", "Japanese name of its high end", [](auto& r) { return r.japanese_high; }},
      {"least", "", "value at the low end", [](auto& r) { return r.least; }},
      {"most", "", "value at the high end", [](auto& r) { return r.most; }}});
+
+struct ScaleWords {
+  std::string scale, language, low, high;
+};
+
+constexpr auto scale_words_columns =
+    table_of<ScaleWords>("scale_words.csv", "scale in a language",
+                         {{"scale", "", "id of the scale", [](auto& r) { return r.scale; }},
+                          {"language", "", "language (BCP 47)", [](auto& r) { return r.language; }},
+                          {"low", "", "name of its low end", [](auto& r) { return r.low; }},
+                          {"high", "", "name of its high end", [](auto& r) { return r.high; }}});
+
+std::string scale_words_csv(const std::vector<Scale>& scales) {
+  std::vector<ScaleWords> rows;
+  for (const Scale& scale : scales) {
+    rows.push_back({scale.id, "en", scale.low, scale.high});
+    if (!scale.japanese_low.empty() || !scale.japanese_high.empty())
+      rows.push_back({scale.id, "ja", scale.japanese_low, scale.japanese_high});
+    for (const auto& [language, ends] : scale.words)
+      rows.push_back({scale.id, language, ends[0], ends[1]});
+  }
+  return scale_words_columns.of(rows).csv;
+}
 
 /// The level of significance, the correction and the exclusion of participants.
 std::string tests_plan(const Questionnaire& asked) {
@@ -180,6 +206,7 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
   files["scales.csv"] = scales_columns.of(questionnaire_scales(manifest).scales).csv;
+  files["scale_words.csv"] = scale_words_csv(questionnaire_scales(manifest).scales);
   files["analysis-plan.txt"] = analysis_plan_text(manifest);
   files["inputs.csv"] = inputs_csv(manifest);
   for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
@@ -230,6 +257,28 @@ void compare_tables(const std::string& what, const std::string& then, const std:
   tell("removed", removed);
 }
 
+/// Adds "analysis: alpha: 0.1 instead of 0.05"; of what is nested, each entry that differs.
+void compare_entries(const std::string& where, const ordered_json& before,
+                     const ordered_json& after, std::vector<std::string>& differences) {
+  if (before == after) return;
+  if (before.is_object() && after.is_object()) {
+    for (const auto& [key, value] : after.items())
+      compare_entries(where + ": " + key, before.contains(key) ? before[key] : ordered_json(),
+                      value, differences);
+    for (const auto& [key, value] : before.items())
+      if (!after.contains(key)) differences.push_back(where + ": " + key + ": no longer stated");
+    return;
+  }
+  constexpr std::size_t longest = 60;
+  const std::string then = before.dump(), now = after.dump();
+  if (before.is_null())
+    differences.push_back(where + ": not in the registered design");
+  else if (then.size() > longest || now.size() > longest)
+    differences.push_back(where + ": changed");
+  else
+    differences.push_back(fmt::format("{}: {} instead of {}", where, now, then));
+}
+
 void compare_designs(const std::string& then, const std::string& now,
                      std::vector<std::string>& differences) {
   const auto before = ordered_json::parse(then), after = ordered_json::parse(now);
@@ -239,7 +288,7 @@ void compare_designs(const std::string& then, const std::string& now,
     if (key == "design") {
       differences.push_back("design: what participants see differs from the registered design");
     } else {
-      differences.push_back(fmt::format("{}: {} instead of {}", key, value.dump(), old.dump()));
+      compare_entries(key, old, value, differences);
     }
   }
 }

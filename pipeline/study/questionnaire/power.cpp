@@ -50,8 +50,8 @@ class PowerSimulation {
  public:
   PowerSimulation(const Manifest& manifest, const PowerOptions& options, int participants)
       : question_(options),
-        subjects_(trial_subjects(manifest)),
-        shares_(participant_subjects(manifest, subjects_, static_cast<std::size_t>(participants))),
+        rated_(rated_stimuli(manifest, trial_subjects(manifest),
+                             static_cast<std::size_t>(participants))),
         critical_{0.0, 0.0} {
     const auto count = static_cast<std::size_t>(participants);
     for (std::size_t pairs = 2; pairs <= count; ++pairs)
@@ -59,7 +59,7 @@ class PowerSimulation {
     found.assign(count + 1, 0);
     alarms.assign(count + 1, 0);
     usable.assign(count + 1, 0.0);
-    side_.assign(subjects_.size(), 0);
+    side_.assign(rated_.ids.size(), 0);
     if (!options.factor.empty()) take_levels(manifest);
   }
 
@@ -74,8 +74,8 @@ class PowerSimulation {
 
  private:
   void take_levels(const Manifest& manifest) {
-    for (std::size_t i = 0; i < subjects_.size(); ++i) {
-      const std::string level = level_of(manifest, subjects_.stimuli[i][0], question_.factor);
+    for (std::size_t i = 0; i < rated_.ids.size(); ++i) {
+      const std::string level = level_of(manifest, rated_.ids[i], question_.factor);
       side_[i] = level == question_.level ? 1 : level == question_.other_level ? -1 : 0;
     }
   }
@@ -85,7 +85,7 @@ class PowerSimulation {
                                   static_cast<std::uint64_t>(study));
     if (question_.factor.empty()) choose_two();
     RunningTest test;
-    for (std::size_t person = 0; person < shares_.size(); ++person) {
+    for (std::size_t person = 0; person < rated_.shares.size(); ++person) {
       add_person(person, test);
       found[person + 1] += test.is_found(question_.difference, critical_);
       alarms[person + 1] += test.is_found(0.0, critical_);
@@ -106,26 +106,26 @@ class PowerSimulation {
   void add_person(std::size_t person, RunningTest& test) const {
     double sums[2] = {0.0, 0.0};
     int counts[2] = {0, 0};
-    for (const std::size_t subject : shares_[person]) {
-      if (side_[subject] == 0) continue;
-      const int which = side_[subject] > 0;
-      sums[which] += question_.spread.residual * normal_number(stream_, number_of(person, subject));
+    for (const std::size_t stimulus : rated_.shares[person]) {
+      if (side_[stimulus] == 0) continue;
+      const int which = side_[stimulus] > 0;
+      sums[which] +=
+          question_.spread.residual * normal_number(stream_, number_of(person, stimulus));
       if (!question_.factor.empty())
-        sums[which] += question_.spread.stimulus * normal_number(~stream_, subject);
+        sums[which] += question_.spread.stimulus * normal_number(~stream_, stimulus);
       ++counts[which];
     }
     if (counts[0] > 0 && counts[1] > 0) test.add(sums[1] / counts[1] - sums[0] / counts[0]);
   }
 
-  std::uint64_t number_of(std::size_t person, std::size_t subject) const {
-    return static_cast<std::uint64_t>(person) * subjects_.size() + subject;
+  std::uint64_t number_of(std::size_t person, std::size_t stimulus) const {
+    return static_cast<std::uint64_t>(person) * rated_.ids.size() + stimulus;
   }
 
   const PowerOptions& question_;
-  TrialSubjects subjects_;
-  std::vector<std::vector<std::size_t>> shares_;
+  RatedStimuli rated_;
   std::vector<double> critical_;  ///< t by number of differences
-  std::vector<int> side_;         ///< of each subject: 1, −1, or 0 when it is not compared
+  std::vector<int> side_;         ///< of each stimulus: 1, −1, or 0 when it is not compared
   std::uint64_t stream_ = 0;
 };
 
@@ -144,16 +144,15 @@ void check_level(const std::vector<std::string>& levels, const PowerOptions& opt
 }
 
 void check(const Manifest& manifest, const PowerOptions& options) {
-  const TrialSubjects subjects = trial_subjects(manifest);
   const TrialForm& form = *questionnaire_of(manifest).trials;
-  if (form.stimuli > 1 || form.is_detection)
+  if ((form.stimuli > 1 && !form.is_grid) || form.is_detection)
     throw Error(fmt::format("power is estimated for ratings only, but this questionnaire {}",
                             form.is_detection ? "measures d′"
-                            : form.is_grid    ? "rates several stimuli in a trial"
                             : form.is_set     ? "compares sets"
                                               : "compares pairs"),
                 "leave --power out");
-  if (subjects_per_participant(manifest, subjects) < 2)
+  const RatedStimuli rated = rated_stimuli(manifest, trial_subjects(manifest), 1);
+  if (rated.shares[0].size() < 2)
     throw Error("no participant sees two stimuli, as a paired test requires",
                 "show each participant more stimuli");
   if (options.factor.empty()) return;
@@ -163,8 +162,8 @@ void check(const Manifest& manifest, const PowerOptions& options) {
                 factors.empty() ? "add factors: {…} to the stimuli"
                                 : motion::did_you_mean(options.factor, factors));
   std::vector<std::string> levels;
-  for (const std::vector<std::string>& stimuli : subjects.stimuli)
-    levels.push_back(level_of(manifest, stimuli[0], options.factor));
+  for (const std::string& stimulus : rated.ids)
+    levels.push_back(level_of(manifest, stimulus, options.factor));
   std::erase(levels, "");
   check_level(levels, options, options.level);
   check_level(levels, options, options.other_level);

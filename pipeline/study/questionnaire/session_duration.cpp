@@ -18,6 +18,11 @@ constexpr double seconds_between_pair = 0.5;
 /// To read about the test of sound, hear about five tones and enter their number.
 constexpr double seconds_of_sound_test = 15.0;
 
+/// To hold a card against the screen and move its picture, and to look for the blind spot a few
+/// times (page/…/display.ts, blind_spot.ts).
+constexpr double seconds_of_card = 30.0;
+constexpr double seconds_of_blind_spot = 60.0;
+
 bool is_blank(char letter) { return letter == ' ' || letter == '\n' || letter == '\t'; }
 
 /// Characters from U+3000 on are of scripts written without spaces.
@@ -62,6 +67,9 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                pace.demographic * static_cast<double>(questionnaire.demographics.size() +
                                                       questionnaire.screening.questions.size());
   if (questionnaire.screening.sound) sum += seconds_of_sound_test;
+  const DisplaySize::Kind size = questionnaire.display.size.kind;
+  if (size == DisplaySize::Kind::cm || size == DisplaySize::Kind::degrees) sum += seconds_of_card;
+  if (questionnaire.display.blind_spot) sum += seconds_of_blind_spot;
   for (const Trial& trial : plan.trials) {
     double longest = trial.reference.empty() ? 0.0 : video(trial.reference);
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));

@@ -12,8 +12,9 @@ namespace mien::pipeline {
 inline constexpr double recommended_session_seconds = 20.0 * 60.0;
 
 /// Expected duration of a session, seconds: reading texts, answering questions about the
-/// participant, watching each video once (videos side by side play simultaneously) and answering
-/// each item, commenting, and the pauses between trials (Pace).
+/// participant, testing the sound and measuring screen and viewing distance, watching each video
+/// once (videos side by side play simultaneously) and answering each item, commenting, and the
+/// pauses between trials (Pace).
 double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds);
 

@@ -94,4 +94,21 @@ std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manif
                            hashed_seed(manifest.seed, "shares"), kinds_of(subjects));
 }
 
+RatedStimuli rated_stimuli(const Manifest& manifest, const TrialSubjects& subjects,
+                           std::size_t participants) {
+  RatedStimuli rated;
+  std::map<std::string, std::size_t> places;
+  for (const std::vector<std::string>& stimuli : subjects.stimuli)
+    for (const std::string& stimulus : stimuli)
+      if (places.emplace(stimulus, rated.ids.size()).second) rated.ids.push_back(stimulus);
+  for (const auto& own : participant_subjects(manifest, subjects, participants)) {
+    std::vector<std::size_t>& share = rated.shares.emplace_back();
+    for (const std::size_t subject : own)
+      for (const std::string& stimulus : subjects.stimuli[subject])
+        if (std::ranges::find(share, places.at(stimulus)) == share.end())
+          share.push_back(places.at(stimulus));
+  }
+  return rated;
+}
+
 }  // namespace mien::pipeline

@@ -34,4 +34,14 @@ std::vector<std::vector<std::size_t>> participant_subjects(const Manifest& manif
                                                            const TrialSubjects& subjects,
                                                            std::size_t count);
 
+/// What the first participants rate, stimulus by stimulus: of grids, each stimulus of their sets.
+struct RatedStimuli {
+  std::vector<std::string> ids;                  ///< in the order of the subjects, each once
+  std::vector<std::vector<std::size_t>> shares;  ///< of each participant, indices into `ids`
+};
+
+/// Of questionnaires that ask for ratings of stimuli: single ones or those of a grid.
+RatedStimuli rated_stimuli(const Manifest& manifest, const TrialSubjects& subjects,
+                           std::size_t participants);
+
 }  // namespace mien::pipeline

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/base/statistics/t_test.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
@@ -121,6 +124,25 @@ std::vector<std::string> unplayed_sentences(const std::vector<AnswerRow>& rows) 
                       trials.size() == 1 ? "has" : "have")};
 }
 
+/// A sentence on the viewing distances that the blind spot gave to included participants; or none.
+std::vector<std::string> distance_sentences(const std::vector<AnswerRow>& rows,
+                                            const std::vector<std::string>& people) {
+  std::map<std::string, double> distances;
+  for (const AnswerRow& row : rows)
+    if (row.viewing_cm && std::ranges::binary_search(people, row.participant))
+      distances[row.participant] = *row.viewing_cm;
+  if (distances.empty()) return {};
+  std::vector<double> cm;
+  for (const auto& [participant, distance] : distances) cm.push_back(distance);
+  const TTest of_mean = paired_t_test(cm);
+  const double deviation = of_mean.standard_error * std::sqrt(static_cast<double>(cm.size()));
+  return {fmt::format(
+      "Viewing distance, measured with the blind spot: mean {:.1f} cm{} ({:.1f} to {:.1f} cm; {}).",
+      of_mean.mean, cm.size() > 1 ? fmt::format(", standard deviation {:.1f} cm", deviation) : "",
+      std::ranges::min(cm), std::ranges::max(cm),
+      counted_noun(cm.size(), "participant", "participants"))};
+}
+
 /// The flags of rows that have been separated by participants; `sessions` are those before.
 QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>& rows,
                        const std::vector<SessionStart>& sessions, const ReportChoices& choices,
@@ -178,6 +200,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   for (const Demographic& question : asked.demographics)
     if (!question.answer.is_number) result.worded_questions.insert(question.id);
   result.people = included_people(result);
+  for (std::string& sentence : distance_sentences(rows, result.people))
+    result.notes.push_back(std::move(sentence));
   std::vector<Fault> faults;
   check_designs(rows, result, faults);
   append(faults, check_and_collect(manifest, rows, result));
@@ -192,6 +216,11 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
 
 std::string counted_noun(std::size_t count, const std::string& one, const std::string& several) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+bool has_attention_checks(const AnswerSet& answer_set) {
+  return std::ranges::any_of(answer_set.attention,
+                             [](const Attention& own) { return own.checks > 0; });
 }
 
 std::string people_sentence(const AnswerSet& answer_set) {

@@ -163,6 +163,9 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
 /// A count with its noun in singular or plural: "1 person", "2 people".
 std::string counted_noun(std::size_t count, const std::string& one, const std::string& several);
 
+/// Whether any participant had attention checks.
+bool has_attention_checks(const AnswerSet& answer_set);
+
 /// A sentence on included participants: "5 of 6 participants analysed".
 std::string people_sentence(const AnswerSet& answer_set);
 

@@ -157,37 +157,51 @@ ParticipantTable joined(const std::vector<ParticipantTable>& tables) {
   return all;
 }
 
+namespace {
+
+/// Summarises the answers to a question: numbers by their distribution, words by their frequencies.
+void add_answers(const std::string& question, const std::vector<std::string>& answers,
+                 bool is_worded, std::vector<DemographicSummary>& all) {
+  if (answers.empty()) return;
+  std::vector<double> numbers;
+  std::map<std::string, int> words;
+  for (const std::string& answer : answers) {
+    ++words[answer];
+    if (const auto number = motion::as_written_number(answer)) numbers.push_back(*number);
+  }
+  if (!is_worded && numbers.size() == answers.size()) return add_numbers(question, numbers, all);
+  for (const auto& [word, count] : words)
+    all.push_back(
+        {question, word, static_cast<double>(count), static_cast<int>(answers.size()), true});
+}
+
+}  // namespace
+
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
                                                 const AnswerSet& answer_set) {
   std::vector<DemographicSummary> all;
   if (participants.empty()) return all;
   const CsvTable& table = participants.table;
   const auto name = static_cast<std::size_t>(require_column(table, "participant"));
-  for (const std::string& question : participants.questions()) {
+  const auto answers_to = [&](const std::string& question) {
     const auto column = static_cast<std::size_t>(find_column(table, question));
-    std::vector<double> numbers;
-    std::map<std::string, int> words;
-    int people = 0;
+    std::vector<std::string> answers;
     for (const auto& row : table.rows) {
       // Where people are identified by "participant/session", the participant is before the slash.
       const bool is_there = std::ranges::any_of(answer_set.people, [&](const std::string& person) {
         return person == row[name].text || person.starts_with(row[name].text + "/");
       });
-      if (!is_there || row[column].text.empty()) continue;
-      ++people;
-      ++words[row[column].text];
-      if (const auto number = motion::as_written_number(row[column].text))
-        numbers.push_back(*number);
+      if (is_there && !row[column].text.empty()) answers.push_back(row[column].text);
     }
-    if (people == 0) continue;
-    const bool is_worded = answer_set.worded_questions.contains(question);
-    if (!is_worded && static_cast<int>(numbers.size()) == people) {
-      add_numbers(question, numbers, all);
-    } else {
-      for (const auto& [word, count] : words)
-        all.push_back({question, word, static_cast<double>(count), people, true});
-    }
-  }
+    return answers;
+  };
+  for (const std::string& question : participants.questions())
+    add_answers(question, answers_to(question), answer_set.worded_questions.contains(question),
+                all);
+  if (find_column(table, "language") < 0) return all;
+  const std::vector<std::string> languages = answers_to("language");
+  if (std::ranges::any_of(languages, [&](const auto& one) { return one != languages.front(); }))
+    add_answers("language of the pages", languages, true, all);
   return all;
 }
 

@@ -56,7 +56,8 @@ ParticipantTable read_participants(const std::filesystem::path& file);
 ParticipantTable joined(const std::vector<ParticipantTable>& tables);
 
 /// A row of the summary of a demographic question over included participants: a statistic of
-/// the answers if they are numbers, otherwise the frequency of an answer.
+/// the answers if they are numbers, otherwise the frequency of an answer. The last question is the
+/// language of the pages, if there were several.
 struct DemographicSummary {
   std::string question;
   std::string answer;     ///< "mean", "standard deviation", "least", "most", or the answer

@@ -68,7 +68,8 @@ std::vector<RuleCount> rule_counts(const AnswerSet& answer_set, std::vector<Answ
   const QualityFlags& quality = answer_set.quality;
   std::vector<StatedRule> stated = quality.stated;
   if (stated.empty()) return {};
-  stated.insert(stated.begin(), attention_rule(answer_set.rule));
+  if (has_attention_checks(answer_set))
+    stated.insert(stated.begin(), attention_rule(answer_set.rule));
   separate_participants(rows);
   std::vector<RuleCount> counts;
   for (const StatedRule& one : stated) {

@@ -158,6 +158,15 @@ std::optional<std::string> SessionStore::fact(const std::string& name) {
   return statement.text(0);
 }
 
+void SessionStore::add_to_count(const std::string& name) {
+  const std::lock_guard lock(mutex_);
+  Statement(database_,
+            "INSERT INTO facts(name, value) VALUES(?1, '1') ON CONFLICT(name) DO UPDATE SET "
+            "value = CAST(CAST(value AS INTEGER) + 1 AS TEXT)")
+      .with(name)
+      .finish();
+}
+
 void SessionStore::begin(const std::vector<std::pair<std::string, std::string>>& facts,
                          const std::vector<StoredSession>& sessions) {
   const std::lock_guard lock(mutex_);

@@ -60,6 +60,9 @@ class SessionStore {
   void begin(const std::vector<std::pair<std::string, std::string>>& facts,
              const std::vector<StoredSession>& sessions);
 
+  /// Adds 1 to a property that is a number, or sets it to 1.
+  void add_to_count(const std::string& name);
+
   std::vector<StoredSession> sessions();
   /// Stores an additional session and its first record in one transaction.
   void add(const StoredSession& session, const StoredRecord& first);

@@ -49,6 +49,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
           {"trouble", last_failure},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
+          {"refused_at_join", sessions.refusals()},
           {"participants", std::move(participants)},
           {"checks", sessions.checks()},
           {"histograms", std::move(histograms)}};

@@ -297,12 +297,15 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   return file ? *file : unknown(request);
 }
 
-/// Nothing is stored about visitors who refuse or leave.
+/// Nothing is stored about visitors who refuse, except their number, or who leave.
 HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
   if (!joining_rate_.allows(request.address)) return http_too_many_requests();
   return with_record(request, salt(), [&](const PageRecord& consent, const std::string& content) {
     check_record(study_.facts, study_.plans.front(), consent);
-    if (is_refusal(consent)) return http_value({{"kept", consent.name}});
+    if (is_refusal(consent)) {
+      sessions_.count_refusal(consent);
+      return http_value({{"kept", consent.name}});
+    }
     const std::optional<SessionState> joined = sessions_.join(consent, content);
     if (!joined)
       return http_refusal(409, "enough", "all places in this study have been taken",

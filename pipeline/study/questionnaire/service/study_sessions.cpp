@@ -6,6 +6,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "motion/text/as_number.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 
@@ -23,6 +24,7 @@ constexpr char media_fact[] = "media";
 constexpr char lab_fact[] = "lab link";
 constexpr char join_fact[] = "join link";
 constexpr char salt_fact[] = "pseudonym salt";
+constexpr char refusals_fact[] = "refusals at the open link";
 
 }  // namespace
 
@@ -256,6 +258,19 @@ std::optional<SessionState> StudySessions::join(const PageRecord& consent,
   states_.back().last_seen = clock_();
   count(states_.back(), consent);
   return states_.back();
+}
+
+void StudySessions::count_refusal(const PageRecord& consent) {
+  constexpr std::size_t most_refused_browsers = 10000;
+  const std::lock_guard lock(mutex_);
+  if (refused_browsers_.contains(consent.session)) return;
+  store_.add_to_count(refusals_fact);
+  if (refused_browsers_.size() < most_refused_browsers) refused_browsers_.insert(consent.session);
+}
+
+int StudySessions::refusals() const {
+  const std::string count = store_.fact(refusals_fact).value_or("0");
+  return static_cast<int>(motion::as_written_number(count).value_or(0.0));
 }
 
 SessionPlan StudySessions::plan_of(const StoredSession& session) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,12 @@ class StudySessions {
   /// has_enough().
   std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
 
+  /// Counts a visitor of the shared link who refuses consent, of whom nothing else is stored. A
+  /// browser session that sends its refusal again is not counted again while the server runs.
+  void count_refusal(const PageRecord& consent);
+  /// The number of such visitors.
+  int refusals() const;
+
   /// Whether all plans are finished, or the maximum number of sessions is reached: four per plan
   /// apart from those that ended early, and forty per plan in all.
   bool has_enough() const;
@@ -123,6 +130,7 @@ class StudySessions {
   mutable std::mutex mutex_;
   std::vector<SessionState> states_;
   std::map<std::string, int> by_link_;
+  std::set<std::string> refused_browsers_;  ///< of count_refusal
   LiveResults results_;
 };
 

@@ -52,6 +52,12 @@ RatingGrid grid_of(const Results& results, const std::vector<std::size_t>& stimu
   return grid;
 }
 
+bool has_marked_panels(const RatingGrid& grid) {
+  return std::ranges::any_of(grid.rows, [](const RatingRow& row) {
+    return std::ranges::any_of(row.panels, [](const auto& panel) { return panel.is_marked; });
+  });
+}
+
 using DrawGrid = Plot (*)(const RatingGrid&);
 
 void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
@@ -62,9 +68,10 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
     const std::size_t end = std::min(scales, first + max_columns);
     RatingGrid grid = grid_of(results, stimuli, first, end);
     if (grid.rows.empty()) return;
-    grid.title = title;
-    grid.words = figure.caption;
     ResultFigure part = figure;
+    if (has_marked_panels(grid)) part.caption += " Yellow: intended emotion's scale.";
+    grid.title = title;
+    grid.words = part.caption;
     if (first > 0) {
       part.name += fmt::format("-{}", first / max_columns + 1);
       if (!part.former_name.empty())
@@ -77,8 +84,7 @@ void add_grids(const Results& results, const std::vector<std::size_t>& stimuli,
 
 /// The caption of histograms of all ratings, or of those " of the acted motions".
 std::string spread_caption(const std::string& of = "") {
-  return "Distribution of ratings" + of +
-         "; the line marks the mean. Yellow: intended emotion's scale.";
+  return "Distribution of ratings" + of + "; the line marks the mean.";
 }
 
 /// The videos in which some end of a scale is seen most, each once.
@@ -161,12 +167,11 @@ void add_rating_figures(const Results& results, std::vector<ResultFigure>& figur
   add_histograms_of_groups(results, figures);
   std::vector<std::size_t> every(results.answer_set.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
-  const ResultFigure means{
-      .name = "means",
-      .section = "means",
-      .thesis = "40",
-      .former_name = "figure-40-means",
-      .caption = "Mean ratings with 95 % confidence intervals. Yellow: intended emotion's scale."};
+  const ResultFigure means{.name = "means",
+                           .section = "means",
+                           .thesis = "40",
+                           .former_name = "figure-40-means",
+                           .caption = "Mean ratings with 95 % confidence intervals."};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
 }
 

@@ -36,15 +36,16 @@ std::string flow_html(const Results& results) {
 
 std::string people_html(const Results& results) {
   const AnswerSet& answer_set = results.answer_set;
-  const bool has_checks = std::ranges::any_of(answer_set.attention,
-                                              [](const Attention& own) { return own.checks > 0; });
-  std::string html = html_paragraph(people_sentence(answer_set) + "." +
-                                    (has_checks ? " " + to_sentence(answer_set.rule) : ""));
+  std::string html =
+      html_paragraph(people_sentence(answer_set) + "." +
+                     (has_attention_checks(answer_set) ? " " + to_sentence(answer_set.rule) : ""));
   html += flow_html(results);
   html += results.rule_counts.empty() ? inattentive_html(answer_set) : flagged_people_html(results);
-  html += html_list("", unfinished_sentences(answer_set)) + html_list("", answer_set.notes);
+  html += html_list("", unfinished_sentences(answer_set));
+  for (const std::string& note : answer_set.notes) html += html_paragraph(note);
   const std::string demographics = demographics_html(results);
-  if (!demographics.empty()) html += "<h3>Demographics</h3>\n" + demographics;
+  if (!demographics.empty())
+    html += "<h3>Demographics of the participants analysed</h3>\n" + demographics;
   html += "<details><summary>All sessions</summary>\n" + sessions_html(results) + "</details>\n";
   return html;
 }

@@ -52,7 +52,10 @@ std::string quality_html(const Results& results) {
                 ? "The rules that the manifest states. Flagged answers, and all answers of flagged "
                   "participants, are excluded from the results. "
                 : "The rules that the manifest states. Flagged answers and participants are "
-                  "included in the results, except participants who failed attention checks. ";
+                  "included in the results" +
+                      std::string(has_attention_checks(answer_set)
+                                      ? ", except participants who failed attention checks. "
+                                      : ". ");
   if (std::ranges::any_of(answer_set.quality.stated, is_of_grid))
     html += fmt::format(
         "hidden_reference and anchor are the post-screening of ITU-R BS.1534-3; participants whom "

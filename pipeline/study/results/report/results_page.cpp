@@ -34,12 +34,8 @@ class PageParts {
     for (const ResultFigure& figure : figures_) {
       if (figure.section != section) continue;
       html += "<figure>\n" + embedded_svg(as_svg(figure.plot), figure.plot.title);
-      html += fmt::format(
-          "<figcaption>{}{} Files: {}</figcaption>\n</figure>\n", html_escaped(figure.caption),
-          figure.thesis.empty()
-              ? ""
-              : fmt::format(" Corresponds to figure {} of the emotion thesis.", figure.thesis),
-          links(figure.name));
+      html += fmt::format("<figcaption>{} Files: {}</figcaption>\n</figure>\n",
+                          html_escaped(figure.caption), links(figure.name));
     }
     return html;
   }
@@ -101,7 +97,7 @@ std::string units_html(const AnswerSet& answer_set) {
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   const AnswerSet& answer_set = results.answer_set;
   std::string html = "<h1>" + html_escaped(answer_set.title) + "</h1>\n";
-  if (answer_set.simulated) html += "<p class=\"simulated\">Simulated answers. 模擬評定</p>\n";
+  if (answer_set.simulated) html += "<p class=\"simulated\">Simulated answers.</p>\n";
   const std::size_t answers = answer_set.ratings.size() + answer_set.chosen.size() +
                               answer_set.preferences.size() + answer_set.words.size();
   html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
@@ -154,10 +150,8 @@ std::string best_html(const Results& results, const PageParts& parts) {
     const std::string rows = comparisons_html(results, ComparisonFamily::best_seen,
                                               group.name == "all" ? "" : group.name);
     if (rows.empty()) continue;
-    html += fmt::format(
-        "<details><summary>All {}{}</summary>\n{}</details>\n", html_escaped(group.words),
-        group.name == "acted" || group.name == "all" ? " (as figure 31 of the emotion thesis)" : "",
-        rows);
+    html += fmt::format("<details><summary>All {}</summary>\n{}</details>\n",
+                        html_escaped(group.words), rows);
   }
   return html;
 }
@@ -243,11 +237,7 @@ std::string groups_part(const Results& results, const PageParts& parts) {
   return html_paragraph(
              "Differences between groups of participants: Welch’s test of the participants’ means, "
              "for the two most frequent answers to each demographic question whose answers are not "
-             "numbers. If gender was asked, "
-             "the ratings of each group are drawn. Figures 41 to 43 of the emotion thesis concern "
-             "gender, but the available text does not say whether that of the participants or of "
-             "the person shown; for the latter, see the scale masculine – feminine in the other "
-             "sections.") +
+             "numbers. If gender was asked, the ratings of each group are drawn.") +
          "<details><summary>All videos and scales</summary>\n" + table + "</details>\n" +
          parts.figures("groups");
 }
@@ -340,8 +330,8 @@ std::string files_html(const std::vector<WrittenTable>& tables, bool has_scripts
     html +=
         "<li><a href=\"analysis/afex.R\">analysis/afex.R</a>: the analysis of variance in R</li>\n";
   html +=
-      "<li><a href=\"figures.csv\">figures.csv</a>: list of figures, with the corresponding "
-      "figures of the emotion thesis and former file names</li>\n</ul>\n";
+      "<li><a href=\"figures.csv\">figures.csv</a>: list of figures with their "
+      "former file names</li>\n</ul>\n";
   return html;
 }
 

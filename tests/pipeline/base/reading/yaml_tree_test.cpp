@@ -91,6 +91,11 @@ TEST(YamlTree, TellsSyntaxWithThePlace) {
   EXPECT_EQ(faults_in("a: ['x''y', \"x\\\"y\"]\n"), "");
   EXPECT_EQ(faults_in("a: b: c\n").substr(0, 24), "m.yaml:1:5: not valid YA");
   EXPECT_NE(faults_in("a: [${X:-1}]\n").find("put \"${…}\" in quotes"), std::string::npos);
+  const auto is_told_of_question = [](const std::string& text) {
+    return faults_in(text).find("put texts that end with ? in quotes") != std::string::npos;
+  };
+  EXPECT_TRUE(is_told_of_question("- {ask: How old are you?, answer: number}\n"));
+  EXPECT_FALSE(is_told_of_question("- {ask: \"How old?\", answer: [number}\n"));
 }
 
 TEST(YamlTree, RefusesTagsAndOddKeys) {

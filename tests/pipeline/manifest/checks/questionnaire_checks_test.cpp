@@ -1,5 +1,7 @@
 #include <optional>
+#include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/files.h"
@@ -321,6 +323,27 @@ TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
   };
   EXPECT_EQ(warnings("3"), 1u);
   EXPECT_EQ(warnings("2"), 0u);
+}
+
+TEST(QuestionnaireChecks, WarnWhereOneRatingOfAHiddenReferenceExcludes) {
+  const auto warned = [](const char* sets, const char* screening) {
+    const Manifest manifest = test::asked_study(
+        14, fmt::format("participants: 4, scales: [sad-happy], trials: grid, grid: {{sets: [{}], "
+                        "reference: [a1, c3, b5, a7, c9, b11, a13]}}{}",
+                        sets, screening));
+    std::string text;
+    for (const Fault& fault : questionnaire_warnings(manifest))
+      text += fault.path + ": " + fault.wrong + "\n";
+    return text;
+  };
+  constexpr char six[] = "[a1, b2], [c3, a4], [b5, c6], [a7, b8], [c9, a10], [b11, c12]";
+  const std::string seven = std::string(six) + ", [a13, b14]";
+  constexpr char excluded[] = ", analysis: {quality: {post_screening: excluded}}";
+  EXPECT_EQ(warned(six, excluded),
+            "questionnaire.analysis.quality.post_screening: a single rating of a hidden reference "
+            "below 90 excludes a participant, because a session has 6 sets\n");
+  EXPECT_EQ(warned(seven.c_str(), excluded), "");
+  EXPECT_EQ(warned(six, ""), "");
 }
 
 TEST(QuestionnaireChecks, WarnOfPracticeThatIsAnalysed) {

@@ -218,7 +218,7 @@ TEST_F(MethodsQuestionnaire, StandsInPreregistrationsWithoutTheStimuli) {
   const std::string text = methods_of_asked("participants: 4, scales: [sad-happy]");
   const ManifestReading reading =
       check_manifest(folder() / "m.yaml", [](const std::string&) { return std::nullopt; });
-  EXPECT_EQ(procedure_of(reading.manifest), text.substr(text.find("# Participants")));
+  EXPECT_EQ(procedure_of(reading.manifest).markdown, text.substr(text.find("# Participants")));
 }
 
 TEST_F(MethodsQuestionnaire, HasNoSectionsWithoutOne) {

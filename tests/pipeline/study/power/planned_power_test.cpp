@@ -14,6 +14,7 @@
 #include "pipeline/base/statistics/named_random.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/study/power/design_size.h"
 #include "pipeline/study/power/planned_design.h"
 #include "pipeline/study/power/power_output.h"
@@ -98,6 +99,61 @@ TEST(PlannedPower, OfAContrastIsThatOfTheNoncentralDistribution) {
       EXPECT_EQ(row.assumed, 0.5);
     }
   }
+}
+
+/// Four sets of an acted and a modified stimulus, of which each participant sees so many.
+Manifest planned_grids(int sets_each) {
+  Manifest manifest = planned_study(1, 4);
+  manifest.questionnaire->trials = &grid_form;
+  manifest.questionnaire->grid.alike = {"take"};
+  manifest.questionnaire->per_participant = sets_each;
+  return manifest;
+}
+
+TEST(PlannedPower, OfGridsIsThatOfRatingsOfWholeSets) {
+  const RatingSpread spread = {.participant = 1.0, .stimulus = 0.0, .residual = 1.2};
+  for (const int sets : {2, 4}) {
+    const auto rows = planned_power(planned_grids(sets), options_of(spread, 0.6, {20}, 4000));
+    const PlannedTestPower& row = row_of(rows, "made", TestedBy::participants, 20);
+    EXPECT_EQ(row.people, 20);
+    EXPECT_EQ(row.stimuli_per_cell, 4);
+    EXPECT_NEAR(row.power.share, paired_t_power(20, 0.6, std::sqrt(2.0 / sets) * 1.2, 0.05), 0.028);
+  }
+}
+
+TEST(PlannedPower, OfMoreGridsHasMoreSets) {
+  const Manifest grids = planned_grids(0);
+  const Manifest more = with_stimuli_per_cell(grids, 7);
+  ASSERT_EQ(grid_sets(more).size(), 7u);
+  for (const GridSet& set : grid_sets(more)) EXPECT_EQ(set.stimuli.size(), 2u);
+  Manifest listed = grids;
+  listed.questionnaire->grid = {.sets = {{"acted-sad-1", "modified-sad-1"}}};
+  EXPECT_THROW(with_stimuli_per_cell(listed, 2), Error);
+  Manifest by_way = grids;
+  by_way.questionnaire->grid.alike = {"made"};
+  EXPECT_EQ(grid_sets(with_stimuli_per_cell(by_way, 12))[0].stimuli.size(), 12u);
+  EXPECT_THROW(with_stimuli_per_cell(by_way, 13), Error);
+}
+
+TEST(PlannedPower, TellsWhatIsAssumed) {
+  Manifest manifest = planned_study(1, 4);
+  const PlannedPowerOptions options =
+      options_of({.participant = 1.0, .stimulus = 0.25, .residual = 1.2}, 0.6, {20}, 300);
+  const std::vector<std::string> told = power_assumptions(manifest, options);
+  ASSERT_EQ(told.size(), 3u);
+  EXPECT_NE(told[0].find("0.6 points in one test at a time"), std::string::npos);
+  EXPECT_NE(told[1].find("participants 1, stimuli 0.25, participants in cells 0, residual 1.2"),
+            std::string::npos);
+  EXPECT_EQ(told[2],
+            "300 simulated studies of each size; α = 0.05, p values corrected by Holm's method "
+            "within the effects and within the planned contrasts.");
+  const Plot chart = power_chart("planned", planned_power(manifest, options), 0.8, told);
+  const auto canvas = Canvas::svg(chart.width, chart.height);
+  chart.draw(*canvas);
+  for (const std::string& sentence : told)
+    EXPECT_TRUE(std::ranges::any_of(canvas->texts(), [&](const DrawnText& drawn) {
+      return drawn.text == sentence && drawn.box.bottom() <= chart.height;
+    })) << sentence;
 }
 
 TEST(PlannedPower, WithoutAnyEffectIsTheLevel) {

@@ -321,7 +321,9 @@ TEST(SessionPlan, OfAGridHasEachSetInAnOrderOfItsOwnBesideItsReference) {
         ++places[{trial.stimuli[i], i}];
       }
       orders.insert(trial.stimuli);
-      if (trial.is_analysed()) EXPECT_TRUE(seen.insert(trial.reference).second);
+      if (trial.is_analysed()) {
+        EXPECT_TRUE(seen.insert(trial.reference).second);
+      }
     }
     EXPECT_EQ(seen, (std::set<std::string>{"a1", "b2", "c3"}));
   }
@@ -370,6 +372,15 @@ TEST(SessionPlan, IsExpectedToTakeWhatItsPartsTake) {
   const SessionPlan plan = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}, {"c3", 9.0}})[0];
   EXPECT_DOUBLE_EQ(plan.expected_seconds, 3 + 4 + (5 + 7 + 9) + 3 * (2 * 2.0 + 3 + 1));
   EXPECT_DOUBLE_EQ(word_count("この歩き方"), 2.5);
+  const auto seconds = [](const std::string& display) {
+    return plan_sessions(asked_study(3, "participants: 1, scales: [sad-happy]" + display))[0]
+        .expected_seconds;
+  };
+  const double plain = seconds("");
+  EXPECT_EQ(seconds(", display: {size: native}"), plain);
+  EXPECT_GT(seconds(", display: {size: {cm: 9}}"), plain + 10.0);
+  EXPECT_GT(seconds(", display: {size: {degrees: 9}, blind_spot: true}"),
+            seconds(", display: {size: {degrees: 9}}") + 30.0);
 }
 
 TEST(LeastFilled, IsWhatWasGivenLeastAndSeenLeast) {

@@ -61,6 +61,17 @@ TEST(AnswerSet, LeavesOutTrialsThatCouldNotBePlayedAndSaysSo) {
                                       "could not be played"}));
 }
 
+TEST(AnswerSet, TellsMeasuredViewingDistances) {
+  const Manifest manifest = two_emotion_study(3);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  for (AnswerRow& row : rows)
+    if (row.participant != "p002") row.viewing_cm = row.participant == "p001" ? 50.0 : 60.0;
+  EXPECT_EQ(collect_answers(manifest, read_back(rows)).notes,
+            (std::vector<std::string>{"Viewing distance, measured with the blind spot: mean 55.0 "
+                                      "cm, standard deviation 7.1 cm (50.0 to 60.0 cm; 2 "
+                                      "participants)."}));
+}
+
 TEST(AnswerSet, TellsEveryFaultWithItsPlace) {
   const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);

@@ -44,10 +44,10 @@ Manifest grid_study(int participants, int speeches = 12, std::uint64_t seed = 1)
 
 /// Mean ratings by the level of `made`.
 StatedTruth truth_by_level(const Manifest& manifest, const std::map<std::string, double>& means) {
-  StatedTruth truth;
+  StatedTruth stated;
   for (const Stimulus& stimulus : manifest.stimuli)
-    truth[{stimulus.id, "sad-happy"}] = means.at(stimulus.factors[1].second);
-  return truth;
+    stated[{stimulus.id, "sad-happy"}] = means.at(stimulus.factors[1].second);
+  return stated;
 }
 
 const std::map<std::string, double> clear_means = {
@@ -283,12 +283,12 @@ TEST(PostScreening, IsListedAndKeepsTheAnswersUnlessStatedOtherwise) {
   EXPECT_EQ(listed[0].participant, "p002");
   EXPECT_FALSE(listed[0].is_excluded);
   const auto counts = rule_counts(kept, rows);
-  ASSERT_EQ(counts.size(), 4u);  // attention, reference, anchor, all together
-  EXPECT_EQ(counts[1].rule, "hidden_reference");
-  EXPECT_EQ(counts[1].bound, "90, 15 %");
-  EXPECT_EQ(counts[1].participants, 1);
-  EXPECT_EQ(counts[2].rule, "anchor");
-  EXPECT_EQ(counts[2].participants, 0);
+  ASSERT_EQ(counts.size(), 3u);  // reference, anchor, all together; there are no attention checks
+  EXPECT_EQ(counts[0].rule, "hidden_reference");
+  EXPECT_EQ(counts[0].bound, "90, 15 %");
+  EXPECT_EQ(counts[0].participants, 1);
+  EXPECT_EQ(counts[1].rule, "anchor");
+  EXPECT_EQ(counts[1].participants, 0);
   manifest.questionnaire->analysis.quality.post_screening = FlaggedAnswers::excluded;
   EXPECT_EQ(collect_answers(manifest, rows).people.size(), 5u);
 }

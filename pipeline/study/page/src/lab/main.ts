@@ -55,7 +55,7 @@ function showOverview(status: LabStatus): void {
   const count = (state: Participant["state"]) => status.participants.filter((one) => one.state === state).length;
   const answers = status.histograms.reduce((sum, one) => sum + one.answers, 0);
   const numbers: [string, number][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
-    ["Away", count("away")], ["Refused (personal links)", count("refused")], ["Screened out", count("screened_out")],
+    ["Away", count("away")], ["Refused", count("refused") + status.refused_at_join], ["Screened out", count("screened_out")],
     ["Withdrawn", count("withdrawn")]];
   if (!status.is_matching) numbers.push(["Answers", answers]);
   const list = at("overview");
@@ -99,7 +99,7 @@ function showParticipant(participant: Participant): HTMLElement {
   shown.state.className = `state ${participant.state}`;
   shown.bar.max = participant.records;
   shown.bar.value = participant.kept;
-  setText(shown.count, `${participant.kept} of ${participant.records}`);
+  setText(shown.count, `${participant.kept} of ${participant.records} pages`);
   const isUnderWay = participant.state === "here" || participant.state === "away";
   setText(shown.now, isUnderWay ? pageText(participant.next) : "");
   setText(shown.seen, seenText(participant.seen_seconds_ago));

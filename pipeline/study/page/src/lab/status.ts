@@ -9,6 +9,8 @@ export interface LabStatus {
   planned: number;
   /** Link for whoever comes. */
   join: string;
+  /** How many visitors of that link refused. */
+  refused_at_join: number;
   participants: Participant[];
   checks: { passed: number; failed: number };
   histograms: Histogram[];

@@ -90,6 +90,12 @@ export function lookOf(place: number, points: number): string {
   return `${place < middle ? "left" : "right"}-${Math.max(1, depth)}`;
 }
 
+/** What a point without a word of its own means: its number, and the pole of an end. */
+function plainMeaning(place: number, points: number, left: string, right: string): string {
+  const pole = place === 1 ? left : place === points ? right : "";
+  return pole ? `${place} / ${points}: ${pole}` : `${place} / ${points}`;
+}
+
 function pointsOf(
   id: string, item: Item, flipped: boolean, texts: Texts, answered: Answered,
 ): Asked {
@@ -99,7 +105,9 @@ function pointsOf(
     const place = index + 1;
     return { value: String(place), text: String(place), look: lookOf(place, item.points),
       note: item.anchors ? degreeOf(texts, place, item.points) : undefined,
-      meaning: `${place}: ${meaningOf(texts, place, item.points, left, right)}` };
+      meaning: item.anchors
+        ? `${place}: ${meaningOf(texts, place, item.points, left, right)}`
+        : plainMeaning(place, item.points, left, right) };
   });
   const middle = (item.points + 1) / 2;
   const start = item.default === "middle" && Number.isInteger(middle) ? String(middle) : null;

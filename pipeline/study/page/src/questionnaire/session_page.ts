@@ -100,6 +100,12 @@ export async function debrief(experiment: Frame, texts: Texts): Promise<void> {
     await showTextPage(root(), { title: texts.debriefing, texts: debriefing, buttons: [texts.next], words: texts });
 }
 
+/** The study's own last words, without those that only repeat the heading. */
+function ownEnding(experiment: Frame, texts: Texts): string[] {
+  const bare = (text: string) => text.trim().replace(/[.!。！ ]+$/u, "").toLowerCase();
+  return experiment.texts.ending.filter((text) => bare(text) !== bare(texts.thanks));
+}
+
 /** Thanks; where no server keeps the answers, with their files, which `save` gives, and the way to the next
     participant. */
 export function showEnding(
@@ -109,13 +115,13 @@ export function showEnding(
   const code = element("p", { class: "later" }, texts.withdrawLater, " ", element("code", {}, store.name));
   if (mode !== "static")
     return show(texts.thanks,
-      [...experiment.texts.ending, back.length ? texts.finishedHere : texts.finished], ...back, code);
+      [...ownEnding(experiment, texts), back.length ? texts.finishedHere : texts.finished], ...back, code);
   const again = save().map((file) => button(texts.saveFile({ name: file.name }), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
     // The next one gets a plan of his own.
     location.replace(location.pathname);
   });
-  show(texts.thanks, [...experiment.texts.ending, texts.finishedFiles],
+  show(texts.thanks, [...ownEnding(experiment, texts), texts.finishedFiles],
     ...back, element("div", { class: "buttons column" }, ...again), element("div", { class: "buttons" }, next), code);
 }

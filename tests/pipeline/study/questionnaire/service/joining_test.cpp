@@ -62,6 +62,10 @@ TEST_F(Service, GivesNoPlanToThoseWhoOnlyLookOrRefuse) {
   EXPECT_EQ(agree_to_join("b1", "refused").body, "{\"kept\":\"consent\"}");
   EXPECT_EQ(service_.sessions().states().size(), 2u);
   EXPECT_TRUE(store_.records().empty());
+  EXPECT_EQ(status().at("refused_at_join"), 1);
+  agree_to_join("b1", "refused");  // sent again
+  agree_to_join("b2", "refused");
+  EXPECT_EQ(status().at("refused_at_join"), 2);
   EXPECT_EQ(ask("POST", join() + "records/trial-1", "{}").status, 405);
   EXPECT_EQ(ask("POST", join() + "records/consent", "{}").status, 400);
   get(of(0) + "session.json");

@@ -522,6 +522,20 @@ TEST(Demographics, OfTextsAreCountedEvenWhereTheyAreDigits) {
   EXPECT_EQ(all[0].value, 2.0);
 }
 
+TEST(Demographics, CountLanguagesOfPagesIfThereAreSeveral) {
+  const AnswerSet answers = collect_answers(two_emotion_study(3), answers_to(two_emotion_study(3)));
+  const auto counted = [&](const std::string& csv) {
+    std::string text;
+    for (const DemographicSummary& one :
+         demographics_of({parse_csv(csv, "participants.csv")}, answers))
+      text += fmt::format("{}: {} {} of {}; ", one.question, one.answer, one.value, one.people);
+    return text;
+  };
+  EXPECT_EQ(counted("participant,language\np001,de\np002,en\np003,de\np009,fr\n"),
+            "language of the pages: de 2 of 3; language of the pages: en 1 of 3; ");
+  EXPECT_EQ(counted("participant,language\np001,de\np002,de\np003,de\n"), "");
+}
+
 TEST(Demographics, OfDifferentQuestionnairesAreNotJoined) {
   const ParticipantTable one{parse_csv("participant,age\np,1\n", "a.csv")};
   const ParticipantTable other{parse_csv("participant,height\np,1\n", "b.csv")};

@@ -1,0 +1,57 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/study/power/power_output.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+double in_thousandths(double value) { return std::round(1000.0 * value) / 1000.0; }
+
+std::string spread_text(const ScaleSpread& scale) {
+  const RatingSpread& spread = scale.spread;
+  return fmt::format("{}participants {:g}, stimuli {:g}, participants in cells {:g}, residual {:g}",
+                     scale.scale.empty() ? "" : scale.scale + ": ",
+                     in_thousandths(spread.participant), in_thousandths(spread.stimulus),
+                     in_thousandths(spread.participant_by_cell), in_thousandths(spread.residual));
+}
+
+std::string effect_text(const PlannedPowerOptions& options) {
+  if (options.truth) return "Assumed effects: those of the stated true ratings.";
+  return fmt::format(
+      "Assumed effects: {:g} points in one test at a time, and none in the other tests.",
+      options.difference);
+}
+
+std::string correction_text(const AnalysisPlan& plan) {
+  switch (plan.correction) {
+    case TestCorrection::holm:
+      return "corrected by Holm's method within the effects and within the planned contrasts";
+    case TestCorrection::benjamini_hochberg:
+      return "corrected by the method of Benjamini and Hochberg within the effects and within the "
+             "planned contrasts";
+    case TestCorrection::none:
+      break;
+  }
+  return "not corrected for multiple comparisons";
+}
+
+}  // namespace
+
+std::vector<std::string> power_assumptions(const Manifest& manifest,
+                                           const PlannedPowerOptions& options) {
+  std::string spreads;
+  for (const ScaleSpread& scale : options.spreads)
+    spreads += (spreads.empty() ? "" : "; ") + spread_text(scale);
+  const AnalysisPlan& plan = questionnaire_of(manifest).analysis;
+  return {effect_text(options), fmt::format("Assumed standard deviations, points: {}.", spreads),
+          fmt::format("{} simulated studies of each size; α = {:g}, p values {}.", options.studies,
+                      plan.alpha, correction_text(plan))};
+}
+
+}  // namespace mien::pipeline
