@@ -50,8 +50,8 @@ std::vector<std::string> power_assumptions(const Manifest& manifest,
     spreads += (spreads.empty() ? "" : "; ") + spread_text(scale);
   const AnalysisPlan& plan = questionnaire_of(manifest).analysis;
   return {effect_text(options), fmt::format("Assumed standard deviations, points: {}.", spreads),
-          fmt::format("{} simulated studies of each size; α = {:g}, p values {}.", options.studies,
-                      plan.alpha, correction_text(plan))};
+          fmt::format("{} simulated studies of each size. Tests with α = {:g}; p values {}.",
+                      options.studies, plan.alpha, correction_text(plan))};
 }
 
 }  // namespace mien::pipeline

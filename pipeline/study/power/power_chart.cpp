@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/base/documents/utf8.h"
 #include "pipeline/base/drawing/palette.h"
 #include "pipeline/study/power/power_output.h"
 
@@ -73,17 +74,15 @@ struct PowerAxes {
   }
 };
 
-/// The words of a text in lines that are not wider than a panel; what is beyond the last line is
-/// in it, and cut short when it is drawn.
-std::vector<std::string> title_lines(const Canvas& canvas, const std::string& text,
-                                     const TextStyle& style, std::size_t most) {
+/// The words of a text in lines, each as long as `fits` allows, but at most `most` lines: the last
+/// one has all that is left.
+std::vector<std::string> text_lines(const std::string& text, std::size_t most, auto&& fits) {
   std::vector<std::string> lines(1);
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t space = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, space - at);
     const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (lines.back().empty() || lines.size() == most ||
-        canvas.text_width(longer, style) <= style.max_width)
+    if (lines.back().empty() || lines.size() == most || fits(longer))
       lines.back() = longer;
     else
       lines.push_back(word);
@@ -92,9 +91,25 @@ std::vector<std::string> title_lines(const Canvas& canvas, const std::string& te
   return lines;
 }
 
+/// Notes in lines that are not wider than `width`, judged by their numbers of characters, since the
+/// height of a page must be known before it is drawn.
+std::vector<std::string> note_lines(const std::vector<std::string>& notes, double width) {
+  constexpr double widest_mean_character = 4.3;  // points, of text of 8 points
+  std::vector<std::string> all;
+  for (const std::string& note : notes) {
+    const std::vector<std::string> lines = text_lines(note, 8, [&](const std::string& line) {
+      return widest_mean_character * static_cast<double>(count_characters(line)) <= width;
+    });
+    all.insert(all.end(), lines.begin(), lines.end());
+  }
+  return all;
+}
+
 void draw_title(Canvas& canvas, const PowerPanel& panel, const Box& plot) {
   const TextStyle style = {.size = 9.0, .bold = true, .max_width = panel_width};
-  const std::vector<std::string> lines = title_lines(canvas, panel.title, style, 2);
+  const std::vector<std::string> lines = text_lines(panel.title, 2, [&](const std::string& line) {
+    return canvas.text_width(line, style) <= style.max_width;
+  });
   double y = plot.y - 20.0 - 11.0 * static_cast<double>(lines.size() - 1);
   for (const std::string& line : lines) {
     canvas.text({plot.x, y}, line, style);
@@ -186,7 +201,7 @@ Plot power_chart(const std::string& study, const std::vector<PlannedTestPower>& 
   const std::size_t columns = std::clamp<std::size_t>(panels.size(), 2, most_in_row);
   const std::size_t lines = (panels.size() + columns - 1) / columns;
   const double width = 2.0 * margin + panel_step_x * static_cast<double>(columns);
-  std::vector<std::string> below = notes;
+  std::vector<std::string> below = note_lines(notes, width - 2.0 * margin);
   if (omitted > 0) below.push_back(fmt::format("{} more tests are in the table.", omitted));
   const double height = 2.0 * margin + header_height + panel_step_y * static_cast<double>(lines) +
                         note_height * static_cast<double>(below.size());

@@ -145,15 +145,18 @@ TEST(PlannedPower, TellsWhatIsAssumed) {
   EXPECT_NE(told[1].find("participants 1, stimuli 0.25, participants in cells 0, residual 1.2"),
             std::string::npos);
   EXPECT_EQ(told[2],
-            "300 simulated studies of each size; α = 0.05, p values corrected by Holm's method "
-            "within the effects and within the planned contrasts.");
+            "300 simulated studies of each size. Tests with α = 0.05; p values corrected by Holm's "
+            "method within the effects and within the planned contrasts.");
   const Plot chart = power_chart("planned", planned_power(manifest, options), 0.8, told);
   const auto canvas = Canvas::svg(chart.width, chart.height);
   chart.draw(*canvas);
-  for (const std::string& sentence : told)
-    EXPECT_TRUE(std::ranges::any_of(canvas->texts(), [&](const DrawnText& drawn) {
-      return drawn.text == sentence && drawn.box.bottom() <= chart.height;
-    })) << sentence;
+  std::string below;
+  for (const DrawnText& drawn : canvas->texts()) {
+    EXPECT_LE(drawn.box.bottom(), chart.height) << drawn.text;
+    EXPECT_LE(canvas->text_width(drawn.text, {.size = 8.0}), chart.width - 48.0) << "is cut short";
+    below += drawn.text + " ";
+  }
+  for (const std::string& sentence : told) EXPECT_NE(below.find(sentence), std::string::npos);
 }
 
 TEST(PlannedPower, WithoutAnyEffectIsTheLevel) {
