@@ -431,7 +431,7 @@ TEST_F(QuestionnairePage, RatesTheVideosOfAGridAndSaysWhatIsMissing) {
   ASSERT_EQ(rows.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string shown = trial.at("media").at(i);
-    EXPECT_EQ(rows[i].at("stimulus"), experiment.at("stimuli").at(shown));
+    EXPECT_EQ(rows[i].at("stimulus"), experiment.at("stimuli").at(shown).get<std::string>());
     EXPECT_EQ(rows[i].at("stimulus_sha256"), experiment.at("media").at(shown).at("sha256"));
     EXPECT_EQ(rows[i].at("against"), "usual");
     EXPECT_EQ(rows[i].at("item"), "sad-happy");
