@@ -432,7 +432,8 @@ TEST_F(QuestionnairePage, RatesTheVideosOfAGridAndSaysWhatIsMissing) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string shown = trial.at("media").at(i);
     EXPECT_EQ(rows[i].at("stimulus"), experiment.at("stimuli").at(shown).get<std::string>());
-    EXPECT_EQ(rows[i].at("stimulus_sha256"), experiment.at("media").at(shown).at("sha256"));
+    EXPECT_EQ(rows[i].at("stimulus_sha256"),
+              experiment.at("media").at(shown).at("sha256").get<std::string>());
     EXPECT_EQ(rows[i].at("against"), "usual");
     EXPECT_EQ(rows[i].at("item"), "sad-happy");
     EXPECT_EQ(rows[i].at("value"), std::to_string(51 + i));
