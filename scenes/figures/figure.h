@@ -39,6 +39,12 @@ struct StickOptions {
   friend bool operator==(const StickOptions&, const StickOptions&) = default;
 };
 
+/// How finely surfaces that are made for a shot are divided into triangles.
+enum class MeshDetail {
+  full,
+  draft  ///< about half as many triangles
+};
+
 /// A smooth body with the proportions of the clip's skeleton.
 struct MannequinOptions {
   static constexpr FigureKind kind = {.name = "mannequin"};

@@ -22,6 +22,8 @@ struct Spacing {
   double fine = 0.0105;
 };
 
+constexpr Spacing draft_spacing{.across = 0.02, .along = 0.033, .hands = 0.015, .fine = 0.014};
+
 /// Planes from `low` to `high`, `step(coordinate)` apart.
 template <typename Step>
 std::vector<double> planes(double low, double high, const Step& step) {
@@ -60,8 +62,8 @@ Eigen::AlignedBox3d box_of(const Flesh& flesh) {
   return box;
 }
 
-Grid grid_for(const Flesh& flesh, const motion::JointTransforms& bind, double scale) {
-  const Spacing spacing;
+Grid grid_for(const Flesh& flesh, const motion::JointTransforms& bind, double scale,
+              const Spacing& spacing) {
   Eigen::AlignedBox3d box = box_of(flesh);
   const double air = 0.04 * scale;
   const double widest = std::max(box.max().x(), -box.min().x()) + air;
@@ -145,14 +147,15 @@ std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body) {
 }
 
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
-                         const FigureColours& colours) {
+                         const FigureColours& colours, MeshDetail detail) {
   const double scale = motion::relative_stature(body);
   Mannequin mannequin;
   mannequin.bind = motion::world_transforms(body, modelling_pose(body));
   const Flesh flesh = flesh_of(body, mannequin.bind, options);
   Surface surface = largest_component(
       surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
-                   grid_for(flesh, mannequin.bind, scale)));
+                   grid_for(flesh, mannequin.bind, scale,
+                            detail == MeshDetail::draft ? draft_spacing : Spacing())));
   SkinnedMesh& mesh = mannequin.mesh;
   mesh.positions = std::move(surface.positions);
   mesh.normals = std::move(surface.normals);

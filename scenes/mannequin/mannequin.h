@@ -28,7 +28,7 @@ struct Mannequin {
 /// Its colours are those of the stick figure, with less difference between left and right limbs;
 /// the face contrasts, so that its direction can be seen.
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
-                         const FigureColours& colours);
+                         const FigureColours& colours, MeshDetail detail = MeshDetail::full);
 
 /// The material of a mannequin's surface; `texture` is the index of its paint in Scene::textures.
 render::Material mannequin_skin(int texture);

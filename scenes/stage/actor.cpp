@@ -37,11 +37,11 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
 class LazyMannequin {
  public:
   LazyMannequin(motion::Skeleton body, const MannequinOptions& options,
-                const FigureColours& colours)
-      : body_(std::move(body)), options_(options), colours_(colours) {}
+                const FigureColours& colours, MeshDetail detail)
+      : body_(std::move(body)), options_(options), colours_(colours), detail_(detail) {}
 
   const Mannequin& get() const {
-    std::call_once(once_, [this] { made_ = make_mannequin(body_, options_, colours_); });
+    std::call_once(once_, [this] { made_ = make_mannequin(body_, options_, colours_, detail_); });
     return *made_;
   }
 
@@ -49,6 +49,7 @@ class LazyMannequin {
   motion::Skeleton body_;
   MannequinOptions options_;
   FigureColours colours_;
+  MeshDetail detail_;
   mutable std::once_flag once_;
   mutable std::optional<Mannequin> made_;
 };
@@ -56,6 +57,7 @@ class LazyMannequin {
 /// Sets an actor's draw function for its kind of figure.
 struct ActorBuilder {
   Actor& actor;
+  MeshDetail detail;
 
   void operator()(const StickOptions&) const {
     actor.draw = [](render::Scene& scene, const Actor& self, int frame, const render::Camera&) {
@@ -68,7 +70,7 @@ struct ActorBuilder {
     require_body(actor.clip, "a mannequin");
     // Shared by the copies of the actor.
     const auto mannequin =
-        std::make_shared<const LazyMannequin>(actor.clip.body, options, actor.colours);
+        std::make_shared<const LazyMannequin>(actor.clip.body, options, actor.colours, detail);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_mannequin(scene, mannequin->get(), self.clip.body,
@@ -115,12 +117,12 @@ struct ActorBuilder {
 
 }  // namespace
 
-Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role) {
+Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role, MeshDetail detail) {
   Actor actor;
   actor.clip = clip;
   actor.colours = colours_of(role);
   actor.height_m = figure_height(clip);
-  std::visit(ActorBuilder{actor}, figure);
+  std::visit(ActorBuilder{actor, detail}, figure);
   return actor;
 }
 

@@ -42,7 +42,8 @@ struct Actor {
 
 /// Makes the actor of a clip; dots are placed when the stage is known (point_light,
 /// marker_dots). Throws Error when the figure cannot be made for the clip.
-Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role);
+Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role,
+                 MeshDetail detail = MeshDetail::full);
 
 /// Appends an actor to a scene as a separate figure. After the end of its clip the actor stands
 /// still. A trail has the ghosts and traces of frame `made_at`.

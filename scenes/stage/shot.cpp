@@ -245,7 +245,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.set = look.set;
   shot.size = look.size;
   for (const Performance& one : near_origin(laid_out(performances, look.layout))) {
-    shot.actors.push_back(make_actor(one.clip, look.figure, one.role));
+    shot.actors.push_back(make_actor(one.clip, look.figure, one.role, look.detail));
     shot.actors.back().name = one.name;
     shot.actors.back().opacity = one.opacity;
   }

@@ -39,6 +39,7 @@ struct Look {
   /// Position of the figure, pixels right of and below the picture's centre (figure_place.h).
   std::optional<std::array<double, 2>> figure_place;
   bool in_place = false;  ///< whether the figure walks in place, regardless of the set
+  MeshDetail detail = MeshDetail::full;
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< for the random properties of a figure
 };

@@ -17,6 +17,8 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
           .size = output.whole_size(),
           .window = output.window(),
           .pixel_scale = output.scale,
+          .detail = output.quality == Quality::draft ? scenes::MeshDetail::draft
+                                                     : scenes::MeshDetail::full,
           .seed = derived_seed(seed, "dots of " + film.id)};
 }
 

@@ -56,14 +56,33 @@ TEST(AMannequin, IsOneClosedSurfaceWhateverItsBuild) {
     for (const double sex : {0.0, 1.0}) {
       const motion::Skeleton body =
           sex < 0.5 ? motion::standard_female_body() : motion::standard_body(1.9);
-      const Mannequin mannequin = make_mannequin(body, {build, sex}, colours);
-      const mien::test::Topology topology = mien::test::topology_of(mannequin.mesh.triangles);
-      EXPECT_EQ(topology.bad_edges, 0) << build << " " << sex;
-      EXPECT_EQ(topology.euler, 2) << build << " " << sex;
-      EXPECT_NO_THROW(validate(mannequin.mesh, motion::body_joint_count));
-      EXPECT_LT(mannequin.mesh.triangles.size(), 26000u);
+      for (const MeshDetail detail : {MeshDetail::full, MeshDetail::draft}) {
+        const Mannequin mannequin = make_mannequin(body, {build, sex}, colours, detail);
+        const mien::test::Topology topology = mien::test::topology_of(mannequin.mesh.triangles);
+        EXPECT_EQ(topology.bad_edges, 0) << build << " " << sex;
+        EXPECT_EQ(topology.euler, 2) << build << " " << sex;
+        EXPECT_NO_THROW(validate(mannequin.mesh, motion::body_joint_count));
+        EXPECT_LT(mannequin.mesh.triangles.size(), detail == MeshDetail::full ? 26000u : 14000u);
+      }
     }
   }
+}
+
+TEST(AMannequin, OfADraftHasTheSameShapeToAFewMillimetres) {
+  const motion::Skeleton body = motion::standard_body();
+  const Mannequin mannequin = make_mannequin(body, {}, colours, MeshDetail::draft);
+  const Flesh flesh = flesh_of(body, mannequin.bind, {});
+  double farthest = 0.0, sum = 0.0;
+  for (const auto& triangle : mannequin.mesh.triangles) {
+    Vec3 middle = Vec3::Zero();
+    for (const int corner : triangle)
+      middle += mannequin.mesh.positions[static_cast<std::size_t>(corner)] / 3.0;
+    const double distance = std::abs(signed_distance(flesh, middle));
+    farthest = std::max(farthest, distance);
+    sum += distance;
+  }
+  EXPECT_LT(farthest, 0.012);
+  EXPECT_LT(sum / static_cast<double>(mannequin.mesh.triangles.size()), 0.001);
 }
 
 TEST(AMannequin, IsAsTallAsItsBodyAndStandsOnItsSoles) {
