@@ -2,11 +2,15 @@
 
 The pages stay where they are, beside the code: Sphinx reads the repository as it is, MyST resolves
 the links between pages and their headings, and other linked files are copied. A page that the
-navigation does not name, and a link that leads nowhere, is an error (sphinx-build -W).
+navigation does not name, and a link that leads nowhere, is an error (sphinx-build -W). The search
+works without a server.
 """
 
+import json
 import re
 from pathlib import Path
+
+from pygments.lexers.data import YamlLexer
 
 root = Path(__file__).resolve().parents[2]
 
@@ -65,10 +69,12 @@ exclude_patterns = ["build*", "out", ".*", "**/node_modules", "**/.*"]
 myst_heading_anchors = 4
 highlight_language = "none"
 
-html_theme = "furo"
+html_theme = "sphinx_rtd_theme"
+html_theme_options = {"navigation_depth": 2, "titles_only": False}
 html_title = f"mien {release}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
+html_show_sourcelink = False
 templates_path = ["templates"]
 html_additional_pages = {"index": "to_start.html"}
 html_copy_source = False
@@ -85,5 +91,26 @@ def add_navigation(_app, page, source):
         source[0] += f"\n```{{toctree}}\n:hidden:\n:caption: {caption}\n\n{entries}```\n"
 
 
+def add_texts_to_search(app, page, _template, _context, _doctree):
+    """What static/from_disk.js needs."""
+    if page == "search":
+        app.add_js_file("page_texts.js")
+        app.add_js_file("from_disk.js")
+
+
+def write_texts(app, failure):
+    if failure or app.builder.name != "html":
+        return
+    texts = {
+        app.builder.get_target_uri(page): app.env.get_doctree(page).astext()
+        for page in sorted(app.env.found_docs)
+    }
+    file = Path(app.outdir, "_static", "page_texts.js")
+    file.write_text(f"const pageTexts = {json.dumps(texts, ensure_ascii=False)};\n")
+
+
 def setup(app):
+    app.add_lexer("yml", YamlLexer)
     app.connect("source-read", add_navigation)
+    app.connect("html-page-context", add_texts_to_search)
+    app.connect("build-finished", write_texts)

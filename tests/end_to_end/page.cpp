@@ -82,7 +82,9 @@ std::vector<std::string> page_names() {
   return names;
 }
 
-bool is_tutorial(const std::string& name) { return name.starts_with("manifests/tutorials/"); }
+bool is_followed(const std::string& name) {
+  return name.starts_with("manifests/tutorials/") || name == "manifests/QUESTIONS.md";
+}
 
 Page read_page(const std::string& name) {
   Page page;

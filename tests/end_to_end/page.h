@@ -40,7 +40,7 @@ struct Page {
 std::vector<std::string> page_names();
 
 /// Whether a page is followed from its beginning to its end (tutorials_test.cpp).
-bool is_tutorial(const std::string& name);
+bool is_followed(const std::string& name);
 
 Page read_page(const std::string& name);
 std::vector<PageBlock> blocks_of(const Page& page, const std::string& language);

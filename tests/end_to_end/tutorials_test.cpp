@@ -1,4 +1,4 @@
-// Tutorials are followed as readers follow them: their files are saved and their commands typed, in
+// Tutorials, and the page of questions, are followed as readers follow them: their files are saved and their commands typed, in
 // their order, in a folder that has nothing but mien; what they show of the output is compared.
 
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> tutorials() {
   std::vector<std::string> names = page_names();
-  std::erase_if(names, [](const std::string& name) { return !is_tutorial(name); });
+  std::erase_if(names, [](const std::string& name) { return !is_followed(name); });
   return names;
 }
 
@@ -138,7 +138,7 @@ std::string name_of_tutorial(const testing::TestParamInfo<std::string>& page) {
 
 INSTANTIATE_TEST_SUITE_P(, Tutorials, testing::ValuesIn(tutorials()), name_of_tutorial);
 
-TEST(TutorialsTogether, AreForThreeKindsOfUsers) { EXPECT_EQ(tutorials().size(), 3u); }
+TEST(TutorialsTogether, AreThreeAndTheQuestions) { EXPECT_EQ(tutorials().size(), 4u); }
 
 }  // namespace
 }  // namespace mien::test
