@@ -3,6 +3,7 @@
 # does: 0 all is as approved, 1 something differs, 2 no comparison was possible.
 set -uo pipefail
 
+rm -rf mien-regression  # of another study in the same job
 # shellcheck disable=SC2086 # a word an argument
 mien regress "$MANIFEST" --out "$PWD/mien-regression" ${ARGUMENTS:-}
 code=$?
