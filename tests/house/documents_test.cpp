@@ -41,7 +41,7 @@ TEST(Site, NamesEveryPageInItsNavigation) {
   std::ifstream file(source / ".ci/site/conf.py");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::set<std::string> named = {"README"};  // the first page, which has the navigation
-  const std::regex entry(R"re(\("[^"]+", "([\w/]+)"\))re");
+  const std::regex entry(R"re(\("[^"]+", "([\w/-]+)"\))re");
   for (std::sregex_iterator at(text.begin(), text.end(), entry), end; at != end; ++at)
     EXPECT_TRUE(named.insert((*at)[1]).second) << (*at)[1] << " is named twice";
   EXPECT_EQ(named, pages());
