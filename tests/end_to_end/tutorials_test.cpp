@@ -1,5 +1,6 @@
-// Tutorials, and the page of questions, are followed as readers follow them: their files are saved and their commands typed, in
-// their order, in a folder that has nothing but mien; what they show of the output is compared.
+// Tutorials, and the page of questions, are followed as readers follow them: their files are saved
+// and their commands typed, in their order, in a folder that has nothing but mien; what they show
+// of the output is compared.
 
 #include <filesystem>
 #include <iostream>
