@@ -2,7 +2,7 @@
 # The program finds its manifests in ../share/mien beside its own folder, whatever the prefix.
 install(DIRECTORY manifests/ DESTINATION share/mien/manifests
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json" PATTERN "*.csv" PATTERN "*.wav"
-  PATTERN "pictures" EXCLUDE)
+  PATTERN "pictures" EXCLUDE PATTERN "tutorials" EXCLUDE)
 install(DIRECTORY scenes/sets/ DESTINATION share/mien/scenes/sets
   FILES_MATCHING PATTERN "*.yaml" PATTERN "*.json")
 # The pages, where they have been built (./mien package does): who installs the package needs no Node.js.

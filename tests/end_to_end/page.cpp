@@ -69,15 +69,6 @@ int stated_code(const std::string& command) {
 
 bool is_command(const std::string& line) { return !line.empty() && !line.starts_with('#'); }
 
-void add_commands(const PageBlock& block, std::vector<PageCommand>& commands) {
-  std::istringstream lines(block.text);
-  int number = block.line;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (is_command(line)) commands.push_back({line, number, stated_code(line)});
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> page_names() {
@@ -89,6 +80,10 @@ std::vector<std::string> page_names() {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+bool is_followed(const std::string& name) {
+  return name.starts_with("manifests/tutorials/") || name == "manifests/QUESTIONS.md";
 }
 
 Page read_page(const std::string& name) {
@@ -115,9 +110,21 @@ std::vector<PageBlock> blocks_of(const Page& page, const std::string& language) 
   return blocks;
 }
 
+std::vector<PageCommand> commands_of(const PageBlock& block) {
+  std::vector<PageCommand> commands;
+  std::istringstream lines(block.text);
+  int number = block.line;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (is_command(line)) commands.push_back({line, number, stated_code(line)});
+  }
+  return commands;
+}
+
 std::vector<PageCommand> commands_of(const Page& page) {
   std::vector<PageCommand> commands;
-  for (const PageBlock& block : blocks_of(page, "sh")) add_commands(block, commands);
+  for (const PageBlock& block : blocks_of(page, "sh"))
+    std::ranges::copy(commands_of(block), std::back_inserter(commands));
   return commands;
 }
 

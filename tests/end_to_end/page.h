@@ -39,8 +39,12 @@ struct Page {
 /// npm left out.
 std::vector<std::string> page_names();
 
+/// Whether a page is followed from its beginning to its end (tutorials_test.cpp).
+bool is_followed(const std::string& name);
+
 Page read_page(const std::string& name);
 std::vector<PageBlock> blocks_of(const Page& page, const std::string& language);
+std::vector<PageCommand> commands_of(const PageBlock& block);
 std::vector<PageCommand> commands_of(const Page& page);
 
 /// Parts of a YAML text that begin at its left edge: {"look: {…}\n", "output:\n  size: …\n"}.

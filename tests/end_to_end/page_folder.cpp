@@ -111,6 +111,16 @@ std::string replaced(const std::string& text, const std::string& pattern, const 
 
 }  // namespace
 
+Ended run_in(const fs::path& folder, const std::string& command) {
+  const Scratch said;
+  const std::string output = said.path() / "output";
+  const std::string errors = said.path() / "errors";
+  const std::string script = "set -e\ncd '" + folder.string() + "'\n{\n" + command + "\n} >'" +
+                             output + "' 2>'" + errors + "'";
+  const int status = std::system(script.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 255, text_of(output), text_of(errors)};
+}
+
 PageFolder::PageFolder() {
   fs::create_symlink(MIEN_PROGRAM, path() / "mien");
   fs::create_directory_symlink(fs::path(MIEN_SOURCE_DIR) / "manifests", path() / "manifests");
@@ -127,16 +137,6 @@ PageFolder::PageFolder() {
   write("study.yaml", small_study);
   write("sessions.csv", sessions);
   write("words.csv", word_rows);
-}
-
-Ended PageFolder::run(const std::string& command) const {
-  const Scratch said;
-  const std::string output = said.path() / "output";
-  const std::string errors = said.path() / "errors";
-  const std::string script = "set -e\ncd '" + path().string() + "'\n{\n" + command + "\n} >'" +
-                             output + "' 2>'" + errors + "'";
-  const int status = std::system(script.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 255, text_of(output), text_of(errors)};
 }
 
 fs::path PageFolder::write(const std::string& name, const std::string& text) const {

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
+bool names(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
@@ -60,7 +60,7 @@ TEST_F(People, AreListedAndChosenByNameOrNumber) {
   EXPECT_EQ(found["people"], (json{"Ann", "Bo"}));
   EXPECT_EQ(found["person"], "Ann");
   const Ended text = run_mien({"motion", "info", file("both.bvh"), "--subject", "2"});
-  EXPECT_TRUE(contains(text.output, "people   Ann, Bo (showing Bo)")) << text.output;
+  EXPECT_TRUE(names(text.output, "people   Ann, Bo (showing Bo)")) << text.output;
   // The second file has one person, who has the same name.
   const Ended same = run_mien(
       {"motion", "compare", file("both.bvh"), file("bo.bvh"), "--subject", "Bo", "--json"});
@@ -100,7 +100,7 @@ TEST_F(People, WhoAreNotThereAreRefusedByEveryCommand) {
     arguments.insert(arguments.end(), {"--subject", "Cy"});
     const Ended ended = run_mien(arguments);
     EXPECT_EQ(ended.code, 2) << command[1];
-    EXPECT_TRUE(contains(ended.errors, "there is no subject \"Cy\"; it holds Ann, Bo"))
+    EXPECT_TRUE(names(ended.errors, "there is no subject \"Cy\"; it holds Ann, Bo"))
         << command[1] << ": " << ended.errors;
   }
   EXPECT_FALSE(fs::exists(out));
@@ -109,7 +109,7 @@ TEST_F(People, WhoAreNotThereAreRefusedByEveryCommand) {
 TEST_F(People, AreAllShownByRenderOnly) {
   const Ended info = run_mien({"motion", "info", file("both.bvh"), "--subject", "all"});
   EXPECT_EQ(info.code, 2);
-  EXPECT_TRUE(contains(info.errors, "choose one of these; only mien render shows everyone"))
+  EXPECT_TRUE(names(info.errors, "choose one of these; only mien render shows everyone"))
       << info.errors;
 }
 
@@ -137,7 +137,7 @@ TEST_F(People, OfOneFileAreShownTogetherWhereTheyWere) {
   const Ended dots =
       still({file("both.bvh"), "--subject", "all", "--figure", "point-light"}, "a.png");
   EXPECT_EQ(dots.code, 2);
-  EXPECT_TRUE(contains(dots.errors, "cannot be told apart")) << dots.errors;
+  EXPECT_TRUE(names(dots.errors, "cannot be told apart")) << dots.errors;
   const Ended one = still({file("ann.bvh"), "--subject", "all"}, "one.png");
   EXPECT_EQ(one.code, 0) << one.errors;
 }

@@ -110,6 +110,20 @@ TEST(NoiseTest, FindsNothingWhereNothingIs) {
   EXPECT_FALSE(none.is_bias);
 }
 
+TEST(NoiseTest, FindsNothingInEqualPicturesOfAnySize) {
+  for (const int width : {8, 52, 1920}) {
+    const std::size_t blocks = static_cast<std::size_t>(width / 8 + (width % 8 > 0)) * 14;
+    BlockStatistics noisy{.columns = static_cast<int>(blocks / 14),
+                          .rows = 14,
+                          .patterns = noise_patterns,
+                          .mean = std::vector<float>(3 * blocks, 0.5f),
+                          .variance = std::vector<float>(3 * blocks, 1e-4f)};
+    const NoiseTest test = noise_test(noisy, noisy, 1);
+    EXPECT_FALSE(test.is_bias) << width;
+    EXPECT_DOUBLE_EQ(test.together_p, 1.0) << width;
+  }
+}
+
 TEST(NoiseTest, RefusesPicturesOfDifferentSizes) {
   const BlockStatistics large = block_statistics({Framebuffer(64, 16), Framebuffer(64, 16)});
   const BlockStatistics small = block_statistics({Framebuffer(16, 16), Framebuffer(16, 16)});
