@@ -134,6 +134,11 @@ class Explainer {
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
     std::vector<std::string> words;
     for (const json& choice : choices) words.push_back(as_yaml(choice));
+    // A single number is the version of a format.
+    if (words.size() == 1 && choices[0].is_number_integer() && value_.is_number_integer() &&
+        value_ > choices[0])
+      return add("is version " + shown(value_) + ", which this version of mien does not know",
+                 "use a newer version of mien, or write " + words[0]);
     if (words.size() == 1)
       return add("must be " + words[0] + " but is " + shown(value_), "write " + words[0]);
     const std::string word = value_.is_string() ? value_.get<std::string>() : shown(value_);

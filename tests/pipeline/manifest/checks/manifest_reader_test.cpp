@@ -480,7 +480,9 @@ TEST_F(ManifestReaderTest, ListsManyFaultsAtOnceInReadingOrder) {
   EXPECT_EQ(
       faults_in("mien: 2\nstudy: my study\nstimuli:\n  - {id: a, clip: walk.bvh, look: x}\n"
                 "  - walk.bvh\noutput: {fps: 0, frames: jpg}\n"),
-      "m.yaml:1:7: mien: must be 1 but is 2; write 1\n"
+      "m.yaml:1:7: mien: is version 2, which this version of mien does not know; use a newer "
+      "version "
+      "of mien, or write 1\n"
       "m.yaml:2:8: study: \"my study\" must begin with a letter or digit and hold at most 64 "
       "letters, digits, '.', '_' and '-'; for example quickstart\n"
       "m.yaml:4:35: stimuli[0].look: must be a map of keys and values but is the text \"x\"\n"
