@@ -25,11 +25,19 @@ void check_continuous_films(const Manifest& manifest, const VideoSeconds& second
                            "at most {:g} s",
                            motion::in_quotes(id), film->second, longest_trace_seconds),
                "shorten it, or divide it into several stimuli");
-    if (trace_samples(film->second) <= first_sample_from(asked.continuous.lead))
+    const double lag = asked.analysis.lag;
+    const std::size_t samples = trace_samples(film->second);
+    if (samples <= first_sample_from(asked.continuous.lead))
       list.add(stimulus->path,
                fmt::format("the film of {} lasts {:g} s and is over before the lead of {:g} s",
                            motion::in_quotes(id), film->second, asked.continuous.lead),
                "use a smaller continuous: {lead: …}, or a longer film");
+    else if (samples <= first_sample_from(asked.continuous.lead + lag))
+      list.add(stimulus->path,
+               fmt::format("the film of {} lasts {:g} s and is over before the lead of {:g} s and "
+                           "the lag of {:g} s",
+                           motion::in_quotes(id), film->second, asked.continuous.lead, lag),
+               "use a smaller analysis: {lag: …}, or a longer film");
   }
   std::vector<Fault> faults = list.take();
   if (!faults.empty()) throw Faults(std::move(faults));

@@ -57,7 +57,7 @@ export class Marker {
   /** Moves it for the time since the last call; `now` as performance.now(). */
   tick(now: number): void {
     const direction = this.direction();
-    const share = Math.min(0.1, Math.max(0, (now - this.movedBy) / 1000));
+    const share = Math.min(1, Math.max(0, (now - this.movedBy) / 1000));
     this.movedBy = now;
     if (direction === 0) return;
     this.at = Math.min(100, Math.max(0, this.at + direction * share * this.settings.speed));

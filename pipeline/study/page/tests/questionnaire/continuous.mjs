@@ -85,7 +85,7 @@ async function byMouse() {
   });
   await filmAt(page, 1.2);
   const box = await page.locator(".marker").boundingBox();
-  const x = (share) => box.x + 8 + share * (box.width - 16);  // the knob is 16 px wide
+  const x = (share) => box.x + 13 + share * (box.width - 26);  // the knob is 26 px wide
   await page.mouse.move(x(0.5), box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(x(0.8), box.y + box.height / 2, { steps: 4 });

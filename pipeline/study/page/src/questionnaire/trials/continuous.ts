@@ -67,7 +67,7 @@ export const continuous: TrialKind = {
 
   question({ items: [first] }, experiment, texts) {
     const { low = "", high = "" } = experiment.items[first?.item ?? ""] ?? {};
-    return texts.rateContinuous({ low, high });
+    return texts.rateContinuous(first?.flipped ? { low: high, high: low } : { low, high });
   },
 
   missingText: (_missing, texts) => texts.rateWhilePlaying,
