@@ -80,6 +80,11 @@ class ContinuousPage : public QuestionnairePage {
   inline static json told;
 };
 
+TEST_F(ContinuousPage, InterpolatesBetweenTheRefreshesOfTheScreen) {
+  const Ended ended = run_program({"node", "--test", (page_tests() / "trace.mjs").string()}, 300.0);
+  EXPECT_EQ(ended.code, 0) << ended.output << ended.errors;
+}
+
 TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
   const TraceRow row = first_row("keys");
   const json& keys = told.at("keys");

@@ -44,17 +44,17 @@ Manifest grid_study(int participants, int speeches = 12, std::uint64_t seed = 1)
 
 /// Mean ratings by the level of `made`.
 StatedTruth truth_by_level(const Manifest& manifest, const std::map<std::string, double>& means) {
-  StatedTruth truth;
+  StatedTruth stated;
   for (const Stimulus& stimulus : manifest.stimuli)
-    truth[{stimulus.id, "sad-happy"}] = means.at(stimulus.factors[1].second);
-  return truth;
+    stated[{stimulus.id, "sad-happy"}] = means.at(stimulus.factors[1].second);
+  return stated;
 }
 
 const std::map<std::string, double> clear_means = {
     {"captured", 97.0}, {"model-a", 60.0}, {"model-b", 50.0}, {"mismatched", 25.0}};
 
 /// Participants whose ratings seldom reach an end of the scale.
-constexpr SimulatedParticipants grid_people = {
+const SimulatedParticipants grid_people = {
     .spread = {.participant = 5.0, .stimulus = 0.0, .residual = 8.0},
     .attention_pass_rate = 1.0,
     .reference_recognition_rate = 1.0};

@@ -155,8 +155,8 @@ SimulatedParticipants watchers(double seconds) {
 
 TEST(TraceResults, FindTheTraceOfSimulatedParticipantsOnceTheirLagIsTakenOff) {
   Manifest manifest = continuous_study(60);
-  const StatedTruth truth = {{{"sad", "sad-happy"}, true_opinion}};
-  const std::vector<AnswerRow> rows = answers_to(manifest, truth, watchers(8.0));
+  const StatedTruth stated = {{{"sad", "sad-happy"}, true_opinion}};
+  const std::vector<AnswerRow> rows = answers_to(manifest, stated, watchers(8.0));
   EXPECT_TRUE(rows.front().simulated);
   EXPECT_EQ(std::ranges::count(rows.front().value_raw, ' '), 80);
   manifest.questionnaire->analysis.lag = 2.0;
@@ -175,14 +175,14 @@ TEST(TraceResults, FindTheTraceOfSimulatedParticipantsOnceTheirLagIsTakenOff) {
 
 /// How often pointwise intervals have the true value, at times that are far from each other.
 TEST(TraceResults, HaveIntervalsThatCoverTheTruth) {
-  const StatedTruth truth = {{{"sad", "sad-happy"}, true_opinion}};
+  const StatedTruth stated = {{{"sad", "sad-happy"}, true_opinion}};
   constexpr int studies = 400;
   int covered[3] = {};
   for (int study = 0; study < studies; ++study) {
     Manifest manifest = continuous_study(8, {"sad"}, 5000 + static_cast<std::uint64_t>(study));
     manifest.questionnaire->analysis.lag = 2.0;
     const TraceResults found =
-        trace_results(collect_answers(manifest, answers_to(manifest, truth, watchers(6.0))));
+        trace_results(collect_answers(manifest, answers_to(manifest, stated, watchers(6.0))));
     for (int at = 0; at < 3; ++at) {
       const TracePoint& point = found.means[0].points[static_cast<std::size_t>(10 + 15 * at)];
       const double expected = true_trace(point.time_s, true_opinion);
@@ -199,8 +199,8 @@ TEST(TraceResults, HaveIntervalsThatCoverTheTruth) {
 
 TEST(TraceResults, AreTablesAFigureASectionAndAFileOfTheDataset) {
   const Manifest manifest = continuous_study(12, {"sad", "happy"});
-  const StatedTruth truth = {{{"sad", "sad-happy"}, 30.0}, {{"happy", "sad-happy"}, 75.0}};
-  const std::vector<AnswerRow> rows = answers_to(manifest, truth, watchers(5.0));
+  const StatedTruth stated = {{{"sad", "sad-happy"}, 30.0}, {{"happy", "sad-happy"}, 75.0}};
+  const std::vector<AnswerRow> rows = answers_to(manifest, stated, watchers(5.0));
   const Results results = results_of(collect_answers(manifest, rows), rows, {});
   std::size_t points = 0;
   for (const WrittenTable& table : result_tables(results))

@@ -1,10 +1,15 @@
 // Records of films that are rated while they play.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/ratings/answers/trace.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/served_example.h"
+#include "pipeline/study/questionnaire/service/service.h"
+#include "pipeline/study/questionnaire/service/withdrawal.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -14,9 +19,7 @@ namespace {
 class TraceRecords : public testing::Test {
  protected:
   TraceRecords() {
-    study_.facts.scales["calm-tense"] = {
-        .slider = true, .least = 0.0, .most = 100.0, .lead_s = 1.0};
-    study_.facts.seconds["walk-sad"] = 3.05;
+    add_film(study_.facts);
     trial_ = {.number = 7,
               .block = "main",
               .kind = &continuous_trials,
@@ -24,6 +27,11 @@ class TraceRecords : public testing::Test {
               .items = {{.item = "calm-tense", .flipped = true}}};
     plan_ = study_.plans.at(0);
     plan_.trials.push_back(trial_);
+  }
+
+  static void add_film(QuestionnaireFacts& facts) {
+    facts.scales["calm-tense"] = {.slider = true, .least = 0.0, .most = 100.0, .lead_s = 1.0};
+    facts.seconds["walk-sad"] = 3.05;
   }
 
   nlohmann::json record(const nlohmann::json& raw) const {
@@ -100,6 +108,67 @@ TEST_F(TraceRecords, OfFilmsThatCouldNotBePlayedHaveNoTrace) {
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(rows[0].value_raw + rows[0].value, "");
   EXPECT_FALSE(rows[0].counts());
+}
+
+/// A served study whose sessions end with a film that is rated while it plays.
+class ServedTraces : public TraceRecords {
+ protected:
+  static ServedStudy with_trial(ServedStudy study, const Trial& trial) {
+    add_film(study.facts);
+    for (SessionPlan& plan : study.plans) plan.trials.push_back(trial);
+    return study;
+  }
+
+  HttpResponse ask(const std::string& method, const std::string& target, const std::string& body) {
+    return service_.answer({.method = method,
+                            .path = plain_path(target).value(),
+                            .headers = {{"content-type", "application/json"}, {"host", "here"}},
+                            .body = body,
+                            .address = "127.0.0.1"});
+  }
+
+  HttpResponse give(const nlohmann::json& record) {
+    return ask("POST",
+               "/s/" + service_.sessions().state(0).session.link + "/records/" +
+                   record.at("record").get<std::string>(),
+               record.dump());
+  }
+
+  std::string got(const std::string& name) {
+    return ask("GET", "/lab/" + service_.sessions().lab_link() + "/" + name, "").body;
+  }
+
+  test::TemporaryFolder media_;
+  ServedStudy served_ = with_trial(example_study(media_.path(), 1), trial_);
+  SessionStore store_{folder_.path() / "answers.db"};
+  QuestionnaireService service_{served_, store_};
+};
+
+TEST_F(ServedTraces, AreATableAndGoWhenAParticipantWithdraws) {
+  for (const std::string& name : record_names(served_.plans.at(0), served_.facts)) {
+    if (name == "trial-7") {
+      const HttpResponse refused = give(record(trace(31)));
+      EXPECT_EQ(refused.status, 400) << refused.body;
+      EXPECT_NE(refused.body.find("its film has 32"), std::string::npos) << refused.body;
+    }
+    const HttpResponse taken =
+        give(name == "trial-7" ? record(trace(32)) : good_record(served_, 0, name));
+    ASSERT_EQ(taken.status, 200) << name << taken.body;
+  }
+  EXPECT_EQ(nlohmann::json::parse(got("status.json")).at("has_traces"), true);
+  const std::string table = got("traces.csv");
+  EXPECT_EQ(std::ranges::count(table, '\n'), 33);
+  EXPECT_NE(table.find("p001,a1b2,7,walk-sad,calm-tense,3.1,75,0\n"), std::string::npos) << table;
+  EXPECT_NE(got("answers.csv").find("," + trace(32) + ",75,high,"), std::string::npos);
+  // Tables of traces are among those from which participants are deleted.
+  const std::filesystem::path saved = folder_.path() / "traces.csv";
+  write_file(saved, table);
+  const auto without = without_participant(saved, {.name = "p001", .session = {}, .ids = {}});
+  ASSERT_TRUE(without.has_value());
+  EXPECT_EQ(without->removed, 32);
+  ask("POST", "/s/" + service_.sessions().state(0).session.link + "/withdrawal",
+      R"({"session": "a1b2"})");
+  EXPECT_EQ(std::ranges::count(got("traces.csv"), '\n'), 1);
 }
 
 }  // namespace
