@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Durations and times are written in decimals: 4.1 s has exactly 41 sampling intervals.
+/// Sums of decimals are not exact in binary: 0.1 s + 0.2 s has exactly 3 sampling intervals.
 constexpr double rounding_slack = 1e-6;
 
 /// "0", "7.5", "100": digits, and at most one decimal.

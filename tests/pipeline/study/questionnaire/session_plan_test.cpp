@@ -342,6 +342,7 @@ TEST(SessionPlan, OfContinuousRatingsHasOneScaleAfterTheOtherWithAllStimuli) {
       "participants: 12, scales: [sad-happy, slow-fast], trials: continuous, practice: [a1], "
       "warm_up: 1, attention: {every: 3}, pace: {answer: 2, between: 1}");
   int flipped = 0, in_other_order = 0;
+  std::string before;
   std::map<std::string, int> first;
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}});
   for (const SessionPlan& plan : plans) {
@@ -359,6 +360,11 @@ TEST(SessionPlan, OfContinuousRatingsHasOneScaleAfterTheOtherWithAllStimuli) {
     }
     EXPECT_EQ(scales.size(), 2u);
     ++first[scales[0]];
+    // Of participants 1 and 2, 3 and 4 …, each begins with another scale.
+    if (plan.index % 2 == 1) {
+      EXPECT_EQ(scales[1], before);
+    }
+    before = scales[0];
     EXPECT_EQ(orders.size(), 2u);
     for (const auto& [scale, order] : orders) {
       EXPECT_EQ(std::set<std::string>(order.begin(), order.end()).size(), 6u);
