@@ -12,7 +12,7 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Sums of decimals are not exact in binary: 0.1 s + 0.2 s has exactly 3 sampling intervals.
+/// Durations are not exact in binary: what is hardly longer than 3 s has no further sample.
 constexpr double rounding_slack = 1e-6;
 
 /// "0", "7.5", "100": digits, and at most one decimal.

@@ -3,7 +3,7 @@
 /** Samples a second of the film's own time. */
 const traceRate = 10;
 
-/** Sums of decimals are not exact in binary: 0.1 s + 0.2 s has exactly 3 sampling intervals. */
+/** Durations are not exact in binary: what is hardly longer than 3 s has no further sample. */
 const slack = 1e-6;
 
 /** Number of samples of a film's trace; the last one is at its end. */

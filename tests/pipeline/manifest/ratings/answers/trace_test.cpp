@@ -12,7 +12,8 @@ namespace {
 TEST(Traces, HaveTenSamplesASecondAndOneAtTheEnd) {
   EXPECT_EQ(trace_samples(3.0), 31u);
   EXPECT_EQ(trace_samples(3.01), 32u);
-  EXPECT_EQ(trace_samples(0.1 + 0.2), 4u);  // a little more than 0.3 in binary
+  EXPECT_EQ(trace_samples(27 * (1.0 / 30)), 10u);  // about 0.9 s in binary
+  EXPECT_EQ(trace_samples(3.0 + 1e-9), 31u);
   EXPECT_EQ(trace_samples(0.05), 2u);
   EXPECT_EQ(first_sample_from(0.0), 0u);
   EXPECT_EQ(first_sample_from(1.0), 10u);
