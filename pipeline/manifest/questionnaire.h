@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/continuous.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/grid.h"
 #include "pipeline/manifest/questionnaire_forms.h"
@@ -189,6 +190,9 @@ struct AnalysisPlan {
   TestCorrection correction = TestCorrection::holm;
   /// Participants who fail more attention checks than this are excluded.
   int max_failed_checks = 1;
+  /// Seconds by which traces of continuous trials are moved back, so that a rating is about the
+  /// moment that it responds to.
+  double lag = 0.0;
   FactorialPlan factorial;
   QualityRules quality;
 };
@@ -198,6 +202,7 @@ void fields_of(auto&& field, MaybeConst<AnalysisPlan> auto& analysis) {
   field("alpha", analysis.alpha, concerns::nothing);
   field("correction", analysis.correction, concerns::nothing, correction_words);
   field("max_failed_checks", analysis.max_failed_checks, concerns::nothing);
+  field("lag", analysis.lag, concerns::nothing);
   field("factors", analysis.factorial.factors, concerns::nothing);
   field("between", analysis.factorial.between, concerns::nothing);
   field.each("contrasts", analysis.factorial.contrasts, concerns::nothing,
@@ -228,6 +233,7 @@ struct Questionnaire {
   SameDifferentSettings same_different;  ///< only for same–different trials
   BestWorstSettings best_worst;          ///< only for best–worst trials
   GridSettings grid;                     ///< only for grid trials
+  ContinuousSettings continuous;         ///< only for continuous trials
   StimulusChoice signal;  ///< of detection (yes_no, two_interval): the stimuli with the signal
   AnswerSettings answer;
   TrialOrder order;
@@ -271,6 +277,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("same_different", questionnaire.same_different, concerns::nothing);
   field("best_worst", questionnaire.best_worst, concerns::nothing);
   field("grid", questionnaire.grid, concerns::nothing);
+  field("continuous", questionnaire.continuous, concerns::nothing);
   field.by("signal", questionnaire.signal, concerns::nothing, StimulusChoiceForm());
   field("answer", questionnaire.answer, concerns::nothing);
   field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());

@@ -87,7 +87,7 @@ ScaleSet chosen_scales(const Manifest& manifest) {
 
 ScaleSet questionnaire_scales(const Manifest& manifest) {
   ScaleSet scales = chosen_scales(manifest);
-  if (!questionnaire_of(manifest).trials->is_grid) return scales;
+  if (!questionnaire_of(manifest).trials->is_on_slider) return scales;
   for (Scale& scale : scales.scales) {
     scale.least = 0.0;
     scale.most = 100.0;
@@ -97,6 +97,11 @@ ScaleSet questionnaire_scales(const Manifest& manifest) {
 
 bool has_sliders(const Questionnaire& asked) {
   return asked.answer.slider || asked.trials->is_on_slider;
+}
+
+std::size_t scales_in_turn(const Manifest& manifest) {
+  if (!questionnaire_of(manifest).trials->is_continuous) return 1;
+  return std::max<std::size_t>(1, questionnaire_scales(manifest).scales.size());
 }
 
 std::vector<std::string> questionnaire_stimuli(const Manifest& manifest) {

@@ -30,11 +30,15 @@ std::string title_of(const Manifest& manifest);
 ScaleSet scales_to_choose(const Manifest& manifest);
 
 /// Returns the scales of the questionnaire, in the order in which they are asked. Unknown ids are
-/// omitted (the checks report them). In grid trials, all scales range from 0 to 100.
+/// omitted (the checks report them). In grid and continuous trials, all scales range from 0 to 100.
 ScaleSet questionnaire_scales(const Manifest& manifest);
 
 /// Returns whether scales are answered on sliders.
 bool has_sliders(const Questionnaire& asked);
+
+/// Returns how often the main part of a session is gone through: in continuous trials once for each
+/// scale, otherwise 1.
+std::size_t scales_in_turn(const Manifest& manifest);
 
 /// Returns the ids of the rated stimuli, in the order in which the questionnaire names them (also
 /// in sets of grid trials) or, if it does not name stimuli, in that of the manifest.

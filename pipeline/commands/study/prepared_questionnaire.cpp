@@ -3,6 +3,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/study/questionnaire/continuous_films.h"
 
 namespace mien::pipeline {
 
@@ -23,6 +24,7 @@ PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& argument
   made.media = media_of(made.manifest, made.plans, made.folder);
   VideoSeconds seconds;
   for (const auto& [stimulus, media] : made.media) seconds[stimulus] = media.seconds;
+  check_continuous_films(made.manifest, seconds);
   made.plans = plan_sessions(made.manifest, seconds);
   return made;
 }

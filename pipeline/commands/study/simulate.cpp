@@ -16,6 +16,8 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
+#include "pipeline/study/questionnaire/continuous_films.h"
+#include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 namespace mien::pipeline {
@@ -39,13 +41,18 @@ struct SimulateCommand {
 };
 
 /// Standard deviations of the answers of simulated participants unless stated otherwise, in scale
-/// units; the same share of the range, 0 to 100, in grid trials.
+/// units; the same share of the range, 0 to 100, in grid and continuous trials.
 constexpr RatingSpread usual_spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
-constexpr RatingSpread grid_spread = {.participant = 7.5, .stimulus = 0.0, .residual = 17.5};
+constexpr RatingSpread slider_spread = {.participant = 7.5, .stimulus = 0.0, .residual = 17.5};
 
 SimulatedParticipants people_of(const SimulateCommand& command, const Manifest& manifest) {
   SimulatedParticipants people = command.people;
-  people.spread = questionnaire_of(manifest).trials->is_grid ? grid_spread : usual_spread;
+  const TrialForm& form = *questionnaire_of(manifest).trials;
+  people.spread = form.is_on_slider ? slider_spread : usual_spread;
+  if (form.is_continuous) {
+    people.film_seconds = video_seconds(manifest);
+    check_continuous_films(manifest, people.film_seconds);
+  }
   if (command.participant_sd) people.spread.participant = *command.participant_sd;
   if (command.residual_sd) people.spread.residual = *command.residual_sd;
   return people;
@@ -134,15 +141,19 @@ std::vector<CommandOption> simulation_options(SimulateCommand& options) {
               .between(1, 10000),
           option("--participant-sd", &options.participant_sd,
                  "Standard deviation of participants' response bias, in scale units (most scales "
-                 "go from -2 to 2, those of grid trials from 0 to 100)")
+                 "go from -2 to 2, those of grid and continuous trials from 0 to 100)")
               .formerly("--lean")
               .between(0.0, 1000.0)
-              .with_default("0.3, in grid trials 7.5"),
+              .with_default("0.3, in grid and continuous trials 7.5"),
           option("--residual-sd", &options.residual_sd,
                  "Residual standard deviation of an answer, in scale units")
               .formerly("--residual")
               .between(0.0, 1000.0)
-              .with_default("0.7, in grid trials 17.5"),
+              .with_default("0.7, in grid and continuous trials 17.5"),
+          option("--reaction-lag", &options.people.reaction_lag_s,
+                 "In continuous trials: seconds between what is seen and its rating")
+              .between(0.0, 60.0)
+              .with_default(),
           option("--attentive", &options.people.attention_pass_rate,
                  "Proportion of attention checks passed")
               .between(0.0, 1.0)

@@ -80,6 +80,10 @@ std::vector<Fault> check_trial_form(const Manifest& manifest);
 /// anchors, and keys that do not suit them.
 std::vector<Fault> check_grid(const Manifest& manifest);
 
+/// Returns faults of continuous trials: keys and quality rules that do not suit them; otherwise, of
+/// a lag of traces that there are not.
+std::vector<Fault> check_continuous(const Manifest& manifest);
+
 /// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);
@@ -108,8 +112,8 @@ std::vector<Fault> check_quality(const Manifest& manifest);
 /// The manifest must have a questionnaire and no faults.
 std::vector<Fault> quality_warnings(const Manifest& manifest);
 
-/// The number of trials of a session whose answers are analysed, if it is completed. The manifest
-/// must have a questionnaire.
+/// The number of trials of a session whose answers are analysed, if it is completed; of continuous
+/// trials, those on one scale. The manifest must have a questionnaire.
 int analysed_trials(const Manifest& manifest);
 
 /// The number of stimuli or pairs that are judged in these trials; in grid trials, that of the

@@ -296,7 +296,7 @@ class QuestionnaireCheck {
   }
 
   void check_view() {
-    if (questionnaire_.view != ShownAs::turn) return;
+    if (questionnaire_.view != ShownAs::turn || form_.is_continuous) return;
     for (const std::string& id : questionnaire_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
       if (found == manifest_.stimuli.end() || std::ranges::count(found->output.clips, "glb") > 0)
@@ -322,6 +322,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   std::vector<Fault> faults = QuestionnaireCheck(manifest).faults();
   append(faults, check_trial_form(manifest));
   append(faults, check_grid(manifest));
+  append(faults, check_continuous(manifest));
   append(faults, check_shown_videos(manifest));
   append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));

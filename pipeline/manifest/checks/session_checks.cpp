@@ -22,10 +22,12 @@ bool is_played_by_browsers(render::VideoKind kind) {
   return kind == VideoKind::mp4 || kind == VideoKind::webm || kind == VideoKind::webm_av1;
 }
 
-/// How many trials the main part of a session has, warm-up and repeated ones among them.
+/// How many trials the main part of a session has, on all scales, warm-up and repeated ones among
+/// them.
 int main_trials(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
-  return analysed_trials(manifest) + asked.repeated + asked.warm_up;
+  const int own = analysed_trials(manifest) + asked.repeated + asked.warm_up;
+  return own * static_cast<int>(scales_in_turn(manifest));
 }
 
 std::vector<Fault> attention_warnings(const Manifest& manifest) {

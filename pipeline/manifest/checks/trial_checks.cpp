@@ -40,8 +40,8 @@ class TrialFormCheck {
 
   /// Refuses keys of other forms.
   void check_keys() {
-    for (const char* key :
-         {"choices", "pairs", "preference", "same_different", "signal", "best_worst", "grid"}) {
+    for (const char* key : {"choices", "pairs", "preference", "same_different", "signal",
+                            "best_worst", "grid", "continuous"}) {
       if (!was_given(key) || form_.has_key(key)) continue;
       std::vector<std::string_view> names;
       for (const auto& [name, form] : trial_form_words)

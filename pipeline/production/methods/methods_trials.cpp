@@ -105,6 +105,49 @@ std::string grid_text(const Manifest& manifest) {
       among("an anchor was among them", grid.anchor));
 }
 
+/// "1 second", "2.5 seconds"
+std::string seconds_text(double seconds) {
+  return fmt::format("{:g} second{}", seconds, seconds == 1.0 ? "" : "s");
+}
+
+std::string continuous_text(const Manifest& manifest) {
+  const ContinuousSettings& continuous = manifest.questionnaire->continuous;
+  const std::size_t scales = questionnaire_scales(manifest).scales.size();
+  return fmt::format(
+      "In each trial, participants saw one film, once, and while it played moved a marker from 0 "
+      "to 100 {}, for {}{}",
+      continuous.input == TraceInput::keys ? "with the arrow keys"
+                                           : "with a mouse, a finger or the arrow keys",
+      scales_text(questionnaire_scales(manifest)),
+      scales > 1 ? ", one scale after the other, each with all films" : "");
+}
+
+/// How continuous ratings are sampled, and what is made of them.
+void describe_traces(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  const ContinuousSettings& continuous = asked.continuous;
+  out.say(fmt::format(
+      "The marker began {} when the film began, and a held arrow key moved it by {:g} per second; "
+      "{}",
+      continuous.start == TraceStart::low ? "at the low end" : "in the middle", continuous.speed,
+      asked.answer.side == PoleSide::random
+          ? "the side of the high end varied between participants and scales"
+          : "the high end was always on the right"));
+  out.say(fmt::format(
+      "Its position was recorded at each refresh of the screen and interpolated to 10 samples per "
+      "second of the film’s own time, in which stops of the film have no part; the mean of a trial "
+      "leaves out the first {}",
+      seconds_text(continuous.lead)));
+  const std::string reaction =
+      "Ratings follow what is seen by a reaction lag, for which reports of annotators give one to "
+      "several seconds" +
+      out.cite({"mariooryad2015"});
+  out.say(asked.analysis.lag > 0.0
+              ? reaction + fmt::format("; in the analysis, ratings were moved back by {}",
+                                       seconds_text(asked.analysis.lag))
+              : reaction + "; it was not taken off in the analysis");
+}
+
 /// What is shown and asked in a trial, as a sentence without its full stop.
 std::string task_text(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
@@ -148,6 +191,7 @@ std::string task_text(const Manifest& manifest) {
         "often",
         asked.best_worst.size, scales_text(scales), questionnaire_subject_count(manifest));
   if (form == &grid_form) return grid_text(manifest);
+  if (form == &continuous_form) return continuous_text(manifest);
   if (form == &rating_form && asked.answer.words)
     return "In each trial, participants saw one film and described it in words (" +
            scales_text(scales) + ")";
@@ -160,7 +204,8 @@ void describe_task(MethodsText& out) {
   const Questionnaire& asked = *out.manifest.questionnaire;
   out.say(task_text(out.manifest));
   if (!asked.question.empty()) out.say("The question was " + quoted(asked.question.text));
-  if (asked.trials->is_on_scale && !asked.trials->is_grid &&
+  if (asked.trials->is_continuous) describe_traces(out);
+  if (asked.trials->is_on_scale && !asked.trials->is_on_slider &&
       !questionnaire_scales(out.manifest).scales.empty())
     describe_scale_answers(out);
   if (!asked.preference.alike.empty() && asked.trials == &pair_form)
@@ -186,7 +231,7 @@ void describe_display(MethodsText& out) {
   const Questionnaire& asked = *out.manifest.questionnaire;
   if (asked.view == ShownAs::turn) {
     out.say("Motions were shown as stick figures that participants could turn");
-  } else {
+  } else if (!asked.trials->is_continuous) {
     std::string watching = asked.watch == Watching::full
                                ? "Answers were possible after a film had been played to its end"
                                : "Answers were possible before a film had ended";

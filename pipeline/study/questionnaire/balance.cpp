@@ -23,12 +23,20 @@ bool is_same_pair(const std::vector<std::string>& stimuli) {
   return stimuli.size() == 2 && stimuli[0] == stimuli[1];
 }
 
+/// Whether a trial is not of the scale that the session begins with: continuous trials have the
+/// same stimuli for each scale.
+bool is_of_later_scale(const SessionPlan& plan, const Trial& trial) {
+  const auto first = std::ranges::find_if(plan.trials, &Trial::is_analysed);
+  return trial.kind->form != nullptr && trial.kind->form->is_continuous &&
+         trial.items.front().item != first->items.front().item;
+}
+
 void count_session(const SessionPlan& plan, Balance& balance) {
   std::vector<std::string> seen;
   std::string before;  // empty: none, or a stimulus with itself
   int position = 0;
   for (const Trial& trial : plan.trials) {
-    if (!trial.is_analysed()) continue;
+    if (!trial.is_analysed() || is_of_later_scale(plan, trial)) continue;
     ++position;
     if (is_same_pair(trial.stimuli)) {
       ++balance.same[trial.stimuli[0]];
@@ -56,8 +64,12 @@ void count_sides(const SessionPlan& plan, Balance& balance) {
   if (analysed_trial == plan.trials.end()) return;
   const TrialForm& form = *analysed_trial->kind->form;
   if (!form.is_on_scale || form.is_grid) return;
-  for (const TrialItem& item : analysed_trial->items)
-    if (item.item != analysed_trial->kind->form->item) balance.flipped[item.item] += item.flipped;
+  std::map<std::string, bool> flipped;  // the trials of a session ask all scales, or one each
+  for (const Trial& trial : plan.trials)
+    if (trial.is_analysed())
+      for (const TrialItem& item : trial.items)
+        if (item.item != form.item) flipped[item.item] = item.flipped;
+  for (const auto& [item, is_flipped] : flipped) balance.flipped[item] += is_flipped;
 }
 
 CountRange range_over(const auto& counts, std::size_t possible) {
@@ -254,6 +266,10 @@ std::vector<std::string> balance_sentences(const Manifest& manifest, const Balan
         "The pairs above have two different stimuli; the same stimulus is shown twice in {}, each "
         "stimulus in {}.",
         counted_trials(balance.same), range_text(same_range(balance), "trials")));
+  if (scales_in_turn(manifest) > 1)
+    sentences.emplace_back(
+        "The scales are rated one after the other, with all stimuli each; the numbers above are of "
+        "the scale that a session begins with.");
   add_latin_sentence(manifest, balance, participants, sentences);
   return sentences;
 }

@@ -113,6 +113,11 @@ std::string tests_plan(const Questionnaire& asked) {
               ? "p values are not corrected for multiple comparisons.\n"
               : fmt::format("p values are corrected within each family of comparisons ({}).\n",
                             word_of(correction_words, analysis.correction));
+  if (asked.trials->is_continuous)
+    text += fmt::format(
+        "Traces are {}; the means of trials leave out the first {:g} s of the film.\n",
+        analysis.lag > 0.0 ? fmt::format("moved back by {:g} s", analysis.lag) : "not moved back",
+        asked.continuous.lead);
   if (asked.attention_every > 0)
     text += fmt::format(
         "Participants who fail more than {} attention check{} are left out of the analysis with "
@@ -149,6 +154,7 @@ std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>
                           {{"alpha", analysis.alpha},
                            {"correction", word_of(correction_words, analysis.correction)},
                            {"most_failed", analysis.max_failed_checks}}}};
+  if (analysis.lag > 0.0) design["analysis"]["lag"] = analysis.lag;
   const FactorialPlan& factorial = analysis.factorial;
   if (!factorial.factors.empty()) design["analysis"]["factors"] = factorial.factors;
   if (!factorial.between.empty()) design["analysis"]["between"] = factorial.between;
@@ -330,7 +336,10 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
 
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans) {
-  return simulated_sessions(manifest, plans, {}, {.attention_pass_rate = 1.0});
+  SimulatedParticipants people = {.attention_pass_rate = 1.0};
+  if (questionnaire_of(manifest).trials->is_continuous)
+    people.film_seconds = video_seconds(manifest);
+  return simulated_sessions(manifest, plans, {}, people);
 }
 
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,

@@ -31,16 +31,17 @@ Subjects square_row(std::size_t count, int index, std::uint64_t seed) {
 class MainPart {
  public:
   MainPart(const Manifest& manifest, const TrialSubjects& subjects, const Subjects& share,
-           int index)
+           int index, int round)
       : manifest_(manifest),
         questionnaire_(questionnaire_of(manifest)),
         subjects_(subjects),
         share_(share),
         index_(index),
+        round_(round),
         // Where all see the same order, random additions are the same for all too.
         order_seed_(hashed_seed(manifest.seed, questionnaire_.order.kind == TrialOrder::Kind::fixed
                                                    ? "everybody"
-                                                   : participant_name(index))) {}
+                                                   : name_of_round(index, round))) {}
 
   std::vector<MainTrial> run() {
     order();
@@ -50,6 +51,10 @@ class MainPart {
   }
 
  private:
+  static std::string name_of_round(int index, int round) {
+    return participant_name(index) + (round == 0 ? "" : fmt::format("/{}", round));
+  }
+
   void order() {
     if (questionnaire_.order.kind == TrialOrder::Kind::fixed) return append(share_);
     if (questionnaire_.order.kind == TrialOrder::Kind::latin) return append_latin();
@@ -62,7 +67,7 @@ class MainPart {
   }
 
   void append_latin() {
-    for (const std::size_t place : square_row(share_.size(), index_, manifest_.seed))
+    for (const std::size_t place : square_row(share_.size(), index_ + round_, manifest_.seed))
       append({share_[place]});
   }
 
@@ -71,7 +76,7 @@ class MainPart {
     for (const std::string& level : subjects_.blocks)
       if (std::ranges::find(levels, level) == levels.end()) levels.push_back(level);
     for (const std::size_t place :
-         square_row(levels.size(), index_, hashed_seed(manifest_.seed, "blocks"))) {
+         square_row(levels.size(), index_ + round_, hashed_seed(manifest_.seed, "blocks"))) {
       Subjects block;
       for (const std::size_t subject : share_)
         if (subjects_.blocks[subject] == levels[place]) block.push_back(subject);
@@ -181,6 +186,7 @@ class MainPart {
   const TrialSubjects& subjects_;
   const Subjects& share_;
   int index_;
+  int round_;
   std::uint64_t order_seed_;
   std::vector<MainTrial> trials_;
 };
@@ -188,8 +194,8 @@ class MainPart {
 }  // namespace
 
 std::vector<MainTrial> main_part(const Manifest& manifest, const TrialSubjects& subjects,
-                                 const std::vector<std::size_t>& share, int index) {
-  return MainPart(manifest, subjects, share, index).run();
+                                 const std::vector<std::size_t>& share, int index, int round) {
+  return MainPart(manifest, subjects, share, index, round).run();
 }
 
 }  // namespace mien::pipeline

@@ -76,7 +76,11 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     if (pair_presentation(questionnaire) == PairPresentation::in_turn && trial.stimuli.size() == 2)
       longest = video(trial.stimuli[0]) + video(trial.stimuli[1]) + seconds_between_pair;
     if (trial.kind->form != nullptr && trial.kind->form->is_grid) longest = all_videos(trial);
-    sum += longest + pace.answer * static_cast<double>(trial.items.size()) + pace.between;
+    const bool is_answered_meanwhile = trial.kind->form != nullptr &&
+                                       trial.kind->form->is_continuous &&
+                                       !trial.is_attention_check();
+    const auto answers = is_answered_meanwhile ? 0.0 : static_cast<double>(trial.items.size());
+    sum += longest + pace.answer * answers + pace.between;
     if (questionnaire.comments && !trial.is_attention_check()) sum += pace.comment;
   }
   return sum;

@@ -44,8 +44,12 @@ class Planner {
     plan_.seed = hashed_seed(manifest_.seed, plan_.participant) >> 11U;
     lay_choices();
     lay_items();
-    lay_practice();
-    lay_main(main_part(manifest_, subjects_, share, index_));
+    if (form_.is_continuous) {
+      lay_scales_in_turn(share);
+    } else {
+      lay_practice();
+      lay_main(main_part(manifest_, subjects_, share, index_));
+    }
     for (std::size_t i = 0; i < plan_.trials.size(); ++i)
       plan_.trials[i].number = static_cast<int>(i) + 1;
     ++index_;
@@ -123,6 +127,24 @@ class Planner {
     }
   }
 
+  /// One scale after the other, each with its practice. Over as many participants as there are
+  /// scales, each scale is once in each place.
+  void lay_scales_in_turn(const std::vector<std::size_t>& share) {
+    const std::vector<TrialItem> all = items_;
+    const std::size_t count = all.size();
+    const bool is_fixed = questionnaire_.order.kind == TrialOrder::Kind::fixed;
+    const auto place = static_cast<std::size_t>(index_);
+    const std::vector<std::size_t> order =
+        random_order(count, manifest_.seed, fmt::format("scales/{}", place / count));
+    for (std::size_t round = 0; round < count; ++round) {
+      items_ = {all[is_fixed ? round : order[(round + place) % count]]};
+      lay_practice();
+      round_ = static_cast<int>(round);
+      lay_main(main_part(manifest_, subjects_, share, index_, round_));
+    }
+    round_ = 0;
+  }
+
   void lay_main(const std::vector<MainTrial>& main) {
     const std::vector<std::size_t> checks = attention_places(main.size());
     std::vector<std::size_t> turned(subjects_.size());
@@ -169,10 +191,15 @@ class Planner {
     const std::size_t reach = every / 4;
     for (std::size_t after = every; after < trials; after += every) {
       const std::size_t moved =
-          after - reach + random_choice(2 * reach + 1, plan_.seed, "attention", after);
+          after - reach + random_choice(2 * reach + 1, plan_.seed, in_round("attention"), after);
       if (moved < trials) places.push_back(moved - 1);
     }
     return places;
+  }
+
+  /// A name of random numbers that differ between the scales of continuous trials.
+  std::string in_round(const std::string& name) const {
+    return round_ == 0 ? name : fmt::format("{}/{}", name, round_);
   }
 
   void lay_attention(std::size_t place) {
@@ -180,7 +207,7 @@ class Planner {
     check.block = plan_.trials.back().block;
     check.kind = &kind_;
     check.is_check = true;
-    check.items = {items_[random_choice(items_.size(), plan_.seed, "checked", place)]};
+    check.items = {items_[random_choice(items_.size(), plan_.seed, in_round("checked"), place)]};
     check.expected = expected_of(check, place);
     plan_.trials.push_back(std::move(check));
   }
@@ -189,7 +216,7 @@ class Planner {
     const TrialItem& item = check.items.front();
     const std::vector<std::string> answers = kind_.attention_answers(
         {check, item, find_scale(response_scales_, item.item), plan_.choices});
-    return answers[random_choice(answers.size(), plan_.seed, "expected", place)];
+    return answers[random_choice(answers.size(), plan_.seed, in_round("expected"), place)];
   }
 
   const Manifest& manifest_;
@@ -204,6 +231,7 @@ class Planner {
   std::vector<TrialItem> items_;    ///< of the session being planned
   SessionPlan plan_;
   int index_ = 0;
+  int round_ = 0;  ///< of the scales of continuous trials
 };
 
 }  // namespace

@@ -13,8 +13,10 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/best_worst_item.h"
 #include "pipeline/manifest/ratings/answers/grid_item.h"
+#include "pipeline/manifest/ratings/answers/trace.h"
 #include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/trials/trial_kind.h"
 #include "pipeline/tasks/hash.h"
 
@@ -66,6 +68,7 @@ class SimulatedSession {
       trial.kind->complete(question, row);
     }
     if (scale == nullptr || scale->words || !trial.kind->form->is_on_scale) return;
+    if (trial.kind->form->is_continuous && !trial.is_attention_check()) return;
     row.pole_left = item.flipped ? "high" : "low";
     row.value = shortest(value_of_raw(*scale, std::stod(row.value_raw), item.flipped));
   }
@@ -74,10 +77,29 @@ class SimulatedSession {
     const auto& [trial, item, scale, choices] = question;
     const double rate =
         trial.kind->form->is_grid ? people_.reference_recognition_rate : people_.recognition_rate;
-    return {.opinion = [this, question](std::size_t which) { return opinion(question, which); },
-            .shown = level_of(manifest_, trial.stimuli[0], item.item),
-            .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < rate,
-            .chance = uniform(plan_.seed, name("chosen", trial, item))};
+    SimulatedView view = {
+        .opinion = [this, question](std::size_t which) { return opinion(question, which); },
+        .shown = level_of(manifest_, trial.stimuli[0], item.item),
+        .is_recognised = uniform(plan_.seed, name("seen", trial, item)) < rate,
+        .chance = uniform(plan_.seed, name("chosen", trial, item))};
+    if (trial.kind->form->is_continuous) add_trace_view(trial, item, view);
+    return view;
+  }
+
+  /// Deviations are a first-order autoregressive process.
+  void add_trace_view(const Trial& trial, const TrialItem& item, SimulatedView& view) const {
+    constexpr double correlation_seconds = 1.0, share_of_residual = 0.5;
+    const auto film = people_.film_seconds.find(trial.stimuli[0]);
+    view.film_seconds = film == people_.film_seconds.end() ? usual_video_seconds : film->second;
+    view.reaction_lag_s = people_.reaction_lag_s;
+    const double kept = std::exp(-1.0 / (trace_rate_hz * correlation_seconds));
+    const double deviation = share_of_residual * people_.spread.residual;
+    const std::uint64_t stream = hashed_seed(plan_.seed, name("wander", trial, item));
+    double now = deviation * normal_number(stream, 0);
+    for (std::size_t k = 0; k < trace_samples(view.film_seconds); ++k) {
+      view.wander.push_back(now);
+      now = kept * now + deviation * std::sqrt(1.0 - kept * kept) * normal_number(stream, k + 1);
+    }
   }
 
   /// The participant's opinion of a stimulus of the trial, in the scale's own range; without scale

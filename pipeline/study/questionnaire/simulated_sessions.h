@@ -38,6 +38,9 @@ struct SimulatedParticipants {
   /// Probability of recognising a hidden reference and rating it 100, 0 to 1.
   double reference_recognition_rate = 0.95;
   double answer_seconds = 2.5;  ///< median response time of an item, seconds
+  /// Of continuous trials: seconds between what is seen and its rating, and the durations of films.
+  double reaction_lag_s = 2.0;
+  VideoSeconds film_seconds = {};
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
@@ -46,8 +49,12 @@ struct SimulatedParticipants {
 /// the stimulus with the higher rating before clamping and rounding is chosen. In detection, an
 /// observation is the truth plus the bias plus a residual with a standard deviation of 1; the
 /// answer is "yes" above 0.5, the interval with the greater observation, or "different" if two
-/// observations differ by more than 1.5. Deterministic in the seed of each plan. Each row is marked
-/// as simulated.
+/// observations differ by more than 1.5. In continuous trials, an impression begins at the start of
+/// the scale when the film begins and approaches the opinion of the film, which is a rating as
+/// above (of the rest, 63 % in 1.5 s); the marker follows it after the reaction lag, with
+/// deviations that are correlated over time (first order, 1 s; standard deviation half of that of
+/// the residual, where the opinion is reached). Deterministic in the seed of each plan. Each row is
+/// marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

@@ -14,6 +14,8 @@
 #include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/answers/best_worst_item.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
+#include "pipeline/manifest/ratings/answers/trace.h"
+#include "pipeline/manifest/ratings/answers/trace_table.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/study/results/best_worst_scores.h"
 
@@ -50,7 +52,9 @@ class AnswerCollector {
     if (row.kind == attention_kind) return;
     const auto stimulus = known_stimulus(row, row.stimulus);
     if (!stimulus || !is_of_trial_kind(row)) return;
-    if (is_on_scale(row)) {
+    if (find_trial_form(row.kind)->is_continuous) {
+      add_trace(row, *stimulus);
+    } else if (is_on_scale(row)) {
       add_rating(row, *stimulus);
     } else if (find_trial_form(row.kind)->is_set) {
       add_best_or_worst(row);
@@ -103,6 +107,38 @@ class AnswerCollector {
       fault(row, fmt::format("the questionnaire does not ask {}", motion::in_quotes(row.item)),
             motion::did_you_mean(row.item, items_));
     return std::nullopt;
+  }
+
+  /// A trace, and its mean as a rating.
+  void add_trace(const AnswerRow& row, std::size_t stimulus) {
+    const auto scale = known_scale(row);
+    if (!scale || row.value_raw.empty()) return;
+    auto trace = trace_of(row);
+    if (!trace) {
+      fault(row, fmt::format("{} is no trace", motion::in_quotes(motion::excerpt(row.value_raw))),
+            "traces are numbers from 0 to 100, separated by spaces");
+      return;
+    }
+    const auto written = motion::as_finite_number(row.value);
+    const auto unmoved = mean_of_trace(*trace, result_.trace_lead_s);
+    const auto mean = mean_of_trace(*trace, result_.trace_lead_s, result_.trace_lag_s);
+    if (unmoved.has_value() != written.has_value() ||
+        (written && std::abs(*written - *unmoved) > 1e-5)) {
+      fault(row,
+            fmt::format("the mean of the trace after {:g} s is {}, not {}", result_.trace_lead_s,
+                        unmoved ? fmt::format("{:g}", *unmoved) : "none", row.value),
+            "use the file as written by the questionnaire, and its manifest");
+      return;
+    }
+    if (!mean) {
+      fault(row, "the film is over before the lead and the lag of the analysis",
+            "use a smaller analysis: {lag: …}");
+      return;
+    }
+    if (!counts(row)) return;
+    const std::size_t person = people_.at(row.participant);
+    result_.ratings.push_back({person, stimulus, *scale, *mean});
+    result_.traces.push_back({person, stimulus, *scale, std::move(*trace)});
   }
 
   void add_rating(const AnswerRow& row, std::size_t stimulus) {

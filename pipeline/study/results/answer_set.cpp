@@ -182,6 +182,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.scales = questionnaire_scales(manifest).scales;
   result.choices = questionnaire_choices(manifest);
   result.grid = grid_sets(manifest);
+  if (asked.trials->is_continuous) result.trace_lead_s = asked.continuous.lead;
+  result.trace_lag_s = asked.analysis.lag;
   result.is_slider = has_sliders(asked);
   result.points = result.is_slider ? 11 : asked.answer.points;
   result.rule.max_failed_checks =

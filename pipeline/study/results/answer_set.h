@@ -46,6 +46,15 @@ struct AnalysedRating {
   double value = 0.0;  ///< in the scale's own range
 };
 
+/// The trace of a continuous trial. Indices refer to AnswerSet; its mean after the lead is also an
+/// AnalysedRating.
+struct AnalysedTrace {
+  std::size_t person = 0;
+  std::size_t stimulus = 0;
+  std::size_t scale = 0;
+  std::vector<double> values;  ///< 0 to 100, towards the high end, as sampled (trace.h)
+};
+
 /// A forced choice of the emotion of a stimulus.
 struct AnalysedChoice {
   std::size_t person = 0;
@@ -124,6 +133,9 @@ struct AnswerSet {
   bool is_slider = false;  ///< scales are answered by sliders
   int points = 5;          ///< number of points of a scale; a slider is divided into 11 points
   std::vector<AnalysedRating> ratings;
+  std::vector<AnalysedTrace> traces;  ///< of continuous trials
+  double trace_lead_s = 0.0;          ///< seconds of the film that means of traces leave out
+  double trace_lag_s = 0.0;           ///< seconds by which traces are moved back
   std::vector<AnalysedChoice> chosen;
   std::vector<AnalysedPreference> preferences;
   std::vector<AnalysedDetection> detections;

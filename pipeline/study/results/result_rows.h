@@ -110,6 +110,8 @@ void add_worths(const Results& results, std::vector<WrittenTable>& tables);
 void add_detection(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of grid trials.
 void add_grid(const Results& results, std::vector<WrittenTable>& tables);
+/// Adds the tables of traces.
+void add_traces(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of participants, free texts and repeated trials.
 void add_participants(const Results& results, std::vector<WrittenTable>& tables);
 

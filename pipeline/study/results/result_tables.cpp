@@ -215,6 +215,7 @@ std::vector<WrittenTable> result_tables(const Results& results) {
   add_worths(results, tables);
   add_detection(results, tables);
   add_grid(results, tables);
+  add_traces(results, tables);
   add_participants(results, tables);
   return tables;
 }

@@ -19,6 +19,7 @@
 #include "pipeline/study/results/quality_lists.h"
 #include "pipeline/study/results/retest.h"
 #include "pipeline/study/results/summaries.h"
+#include "pipeline/study/results/trace_results.h"
 #include "pipeline/study/results/word_frequencies.h"
 
 namespace mien::pipeline {
@@ -39,6 +40,7 @@ struct Results {
   DetectionResults detection;
   std::vector<BestWorstScore> best_worst;
   GridResults grid;
+  TraceResults traces;
   std::vector<WordFrequency> words;
   std::vector<ParticipantSummary> participants;
   std::vector<RetestAnswer> retest_answers;  ///< including those of excluded participants
@@ -68,6 +70,7 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.detection = detection_results(results.answer_set);
   results.best_worst = best_worst_scores(results.answer_set);
   results.grid = grid_results(results.answer_set);
+  results.traces = trace_results(results.answer_set);
   results.words = word_frequencies_of(results.answer_set);
   results.flow = participant_flow(results.answer_set, demographics);
   results.participants = participant_summaries(results.answer_set, rows);

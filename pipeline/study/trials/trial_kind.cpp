@@ -52,13 +52,21 @@ std::string choice_fault(const ItemResponse& response, const std::vector<std::st
 ResponseScales response_scales_by_item(const Manifest& manifest) {
   const AnswerSettings& answer = questionnaire_of(manifest).answer;
   const PreferenceSettings& preference = questionnaire_of(manifest).preference;
+  const bool is_continuous = questionnaire_of(manifest).trials->is_continuous;
+  const ContinuousSettings& continuous = questionnaire_of(manifest).continuous;
   ResponseScales scales;
   for (const Scale& scale : questionnaire_scales(manifest).scales)
-    scales[scale.id] = {answer.points,      has_sliders(questionnaire_of(manifest)),
-                        answer.words,       scale.least,
-                        scale.most,         scale.low,
-                        scale.high,         preference.ties,
-                        preference.strength};
+    scales[scale.id] = {answer.points,
+                        has_sliders(questionnaire_of(manifest)),
+                        answer.words,
+                        scale.least,
+                        scale.most,
+                        scale.low,
+                        scale.high,
+                        preference.ties,
+                        preference.strength,
+                        is_continuous ? continuous.lead : 0.0,
+                        is_continuous && continuous.start == TraceStart::low};
   return scales;
 }
 

@@ -70,6 +70,10 @@ struct ResponseScale {
   std::string low, high;  ///< labels of the ends
   bool ties = false;      ///< two stimuli may be compared without a preference
   bool strength = false;  ///< a preference for one of two stimuli is slight or strong
+  /// In continuous trials: seconds from the beginning of the film that means of traces leave out,
+  /// and whether the marker begins at the low end, not in the middle.
+  double lead_s = 0.0;
+  bool starts_low = false;
 };
 
 /// Response scales by item.
@@ -120,6 +124,10 @@ struct SimulatedView {
   /// The participant recognises the shown level or, in grid trials, a hidden reference.
   bool is_recognised = false;
   double chance = 0.0;  ///< random number from 0 to 1 for the simulated response
+  // In continuous trials:
+  double film_seconds = 0.0;    ///< duration of the film
+  double reaction_lag_s = 0.0;  ///< between what is seen and its rating
+  std::vector<double> wander;   ///< deviation of each sample from the opinion, on the scale
 };
 
 /// A kind of trial: defines how responses are checked, completed and simulated. An attention check
@@ -132,8 +140,9 @@ struct TrialKind {
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
   /// The reason why a response is invalid; empty if it is valid.
   std::string (*fault)(const Question&, const ItemResponse&) = nullptr;
-  /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer; in grid trials also
-  /// the stimulus that the answer is about, what it is compared with, and the scale.
+  /// Sets `value` and, for a rating, `pole_left` of a row from its raw answer (in continuous
+  /// trials, `value` is the mean of the trace after the lead); in grid trials also the stimulus
+  /// that the answer is about, what it is compared with, and the scale.
   void (*complete)(const Question&, AnswerRow& row) = nullptr;
   /// The reason why the responses to the items of a trial contradict each other; empty if they do
   /// not. nullptr if they cannot.
@@ -151,13 +160,15 @@ extern const TrialKind yes_no_trials;          ///< one stimulus: is the signal 
 extern const TrialKind two_interval_trials;    ///< two stimuli in turn: which has the signal?
 extern const TrialKind best_worst_trials;      ///< several stimuli: which is best, which is worst?
 extern const TrialKind grid_trials;            ///< several stimuli, each rated from 0 to 100
+extern const TrialKind continuous_trials;      ///< one stimulus, rated while it plays
 /// A target motion matched with sliders; used only in matching experiments, with their own records.
 extern const TrialKind matching_trials;
 
 /// All kinds of trials.
 inline constexpr std::array trial_kinds = {
-    &rating_trials,       &emotion_trials,    &pair_trials, &same_different_trials, &yes_no_trials,
-    &two_interval_trials, &best_worst_trials, &grid_trials, &matching_trials};
+    &rating_trials,     &emotion_trials,      &pair_trials,       &same_different_trials,
+    &yes_no_trials,     &two_interval_trials, &best_worst_trials, &grid_trials,
+    &continuous_trials, &matching_trials};
 
 /// The kind of trial with that form.
 const TrialKind& trial_kind_of(const TrialForm& form);

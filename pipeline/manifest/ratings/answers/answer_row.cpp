@@ -53,14 +53,22 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
       "written; for a pair left, right or tie, or left_much, left_slightly, … (shown in turn: left "
       "is the first, right the second); same or different; "
       "yes "
-      "or no; first or second (of two intervals); place from the left, from 1 (of a set)"},
+      "or no; first or second (of two intervals); place from the left, from 1 (of a set); in "
+      "continuous trials the trace: positions 0–100 from the left, ten in each second of the film, "
+      "separated by spaces"},
      &Row::value_raw},
     {{"value", "",
       "answer converted to the scale's range, increasing towards the high pole; or the emotion or "
-      "stimulus chosen (tie: neither), or the text written; same or different, yes or no"},
+      "stimulus chosen (tie: neither), or the text written; same or different, yes or no; in "
+      "continuous "
+      "trials the mean of the trace after the lead"},
      &Row::value},
     {{"pole_left", "", "pole on the left: low or high"}, &Row::pole_left},
-    {{"rt_ms", "ms", "response time, from when answering became possible"}, &Row::rt_ms},
+    {{"rt_ms", "ms",
+      "response time, from when answering became possible; in continuous trials, from the "
+      "beginning of "
+      "the film to the first movement of the marker"},
+     &Row::rt_ms},
     {{"is_practice", "", "1 for practice trials, which are not analysed"}, &Row::is_practice},
     {{"is_warmup", "",
       "1 for warm-up trials at the start of the main part, which are not analysed"},

@@ -28,7 +28,9 @@ struct TrialForm {
   bool is_in_turn = false;  ///< the stimuli are always shown one after the other
   /// The manifest states which stimuli are a set; each of them is rated, in a place of its own.
   bool is_grid = false;
-  bool is_on_slider = false;  ///< scales are always answered on sliders
+  bool is_on_slider = false;  ///< scales are always answered on sliders from 0 to 100
+  /// A scale is rated while the film plays; each trial asks one scale.
+  bool is_continuous = false;
   /// Keys of a questionnaire that apply to this form and not to all others.
   std::array<std::string_view, 3> keys = {};
 
@@ -88,6 +90,9 @@ inline constexpr TrialForm grid_form = {.name = "grid",
                                         .is_grid = true,
                                         .is_on_slider = true,
                                         .keys = {"grid"}};
+/// One stimulus, rated on one scale from 0 to 100 while it plays (trace.h).
+inline constexpr TrialForm continuous_form = {
+    .name = "continuous", .is_on_slider = true, .is_continuous = true, .keys = {"continuous"}};
 
 /// All forms. Their description in codebooks is trial_forms_meaning.
 inline constexpr Words<const TrialForm*> trial_form_words = {
@@ -98,12 +103,14 @@ inline constexpr Words<const TrialForm*> trial_form_words = {
     {yes_no_form.name, &yes_no_form},
     {two_interval_form.name, &two_interval_form},
     {best_worst_form.name, &best_worst_form},
-    {grid_form.name, &grid_form}};
+    {grid_form.name, &grid_form},
+    {continuous_form.name, &continuous_form}};
 inline constexpr char trial_forms_meaning[] =
     "rating, emotion (which of a list), pair (which of two), same_different (are two the same), "
     "yes_no (is a signal present), two_interval (which of two has the signal), "
     "best_worst (which of a set is best and worst), "
-    "grid (each of a set, rated from 0 to 100) or attention";
+    "grid (each of a set, rated from 0 to 100), continuous (rated from 0 to 100 while it plays) or "
+    "attention";
 
 /// The value of an answer to a pair that states no preference.
 inline constexpr char tie_value[] = "tie";

@@ -22,6 +22,14 @@ std::array<std::string, 2> ends_of(const Scale& scale, std::string_view language
   return ends_in(scale, language).value_or(std::array{scale.low, scale.high});
 }
 
+/// How a scale is rated while a film plays.
+void add_continuous(const ContinuousSettings& continuous, ordered_json& item) {
+  item["continuous"] = {{"input", word_of(trace_input_words, continuous.input)},
+                        {"start", word_of(trace_start_words, continuous.start)},
+                        {"lead", continuous.lead},
+                        {"speed", continuous.speed}};
+}
+
 ordered_json items_json(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
   ordered_json items = ordered_json::object();
@@ -42,6 +50,7 @@ ordered_json items_json(const Manifest& manifest) {
       items[scale.id]["suggest"] = asked.answer.suggest.words;
     if (asked.preference.ties) items[scale.id]["ties"] = true;
     if (asked.preference.strength) items[scale.id]["strength"] = true;
+    if (asked.trials->is_continuous) add_continuous(asked.continuous, items[scale.id]);
   }
   return items;
 }
@@ -54,7 +63,7 @@ ordered_json choices_json(const Manifest& manifest) {
 }
 
 ordered_json settings_json(const Questionnaire& asked) {
-  ordered_json replays = "counted";
+  ordered_json replays = asked.trials->is_continuous ? "none" : "counted";
   if (asked.replays.most)
     replays = *asked.replays.most == 0 ? ordered_json("none") : ordered_json(*asked.replays.most);
   ordered_json settings = {{"replays", replays},

@@ -7,6 +7,7 @@
 
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/manifest/ratings/answers/trace_table.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
@@ -120,6 +121,14 @@ std::string trials_csv(const ServedStudy& study, const StudySessions& sessions) 
 
 std::string changes_csv(const ServedStudy& study, const StudySessions& sessions) {
   return matching_changes_csv(matched_trials(study, sessions));
+}
+
+std::string traces_csv(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<AnswerRow> rows;
+  for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
+    std::ranges::move(rows_of(study.facts, plan, trial, record), std::back_inserter(rows));
+  });
+  return traces_csv(rows);
 }
 
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {

@@ -13,6 +13,9 @@ namespace mien::pipeline {
 /// CSV with a row for each answer (answer_row.h), sorted by participant and trial.
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions);
 
+/// CSV with a row for each sample of the traces of continuous trials (trace_table.h).
+std::string traces_csv(const ServedStudy& study, const StudySessions& sessions);
+
 /// CSV of the trials of a matching experiment, and of the changes made in them (matching_rows.h).
 std::string trials_csv(const ServedStudy& study, const StudySessions& sessions);
 std::string changes_csv(const ServedStudy& study, const StudySessions& sessions);

@@ -27,6 +27,13 @@ nlohmann::ordered_json status_of(const SessionState& state, std::int64_t now) {
           {"seen_seconds_ago", last}};
 }
 
+bool has_continuous_trials(const ServedStudy& study) {
+  return std::ranges::any_of(study.plans, [](const SessionPlan& plan) {
+    return std::ranges::any_of(plan.trials,
+                               [](const Trial& trial) { return trial.kind == &continuous_trials; });
+  });
+}
+
 /// Ends of a scale, as participants see them.
 void add_poles(nlohmann::ordered_json& histogram, const ServedStudy& study) {
   const auto& items = study.experiment.at("items");
@@ -46,6 +53,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
           {"title", study.experiment.at("title")},
           {"design", study.facts.design},
           {"is_matching", study.facts.matching.has_value()},
+          {"has_traces", has_continuous_trials(study)},
           {"trouble", last_failure},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
@@ -90,6 +98,8 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
     return saved_as(file, csv, changes_csv(study, sessions));
   if (!study.facts.matching && name == "answers.csv")
     return saved_as(file, csv, answers_csv(study, sessions));
+  if (has_continuous_trials(study) && name == "traces.csv")
+    return saved_as(file, csv, traces_csv(study, sessions));
   if (name == "participants.csv") return saved_as(file, csv, participants_csv(study, sessions));
   if (name == "links.csv")
     return saved_as(

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/continuous.h"
+#include "pipeline/manifest/ratings/answers/trace.h"
 #include "pipeline/study/questionnaire/service/record_reader.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
 
@@ -26,7 +28,9 @@ ItemResponse read_response(const nlohmann::json& text) {
   response.item = reader.text("item", max_name_characters * 4);
   const nlohmann::json& raw = reader.required("value_raw");
   if (raw.is_string()) {
-    response.value_raw = reader.text("value_raw", max_comment_characters);
+    response.value_raw = reader.text("value_raw", longest_trace_text());
+    const bool is_trace = response.value_raw.find_first_not_of("0123456789. ") == std::string::npos;
+    if (!is_trace) reader.text("value_raw", max_comment_characters);
   } else if (raw.is_number() && std::isfinite(raw.get<double>())) {
     response.is_number = true;
     response.value_raw = shortest(raw.get<double>());
@@ -148,7 +152,7 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
   QuestionnaireFacts facts;
   facts.design = experiment.at("design");
   facts.simulated = experiment.value("simulated", false);
-  for (const auto& [id, item] : experiment.at("items").items())
+  for (const auto& [id, item] : experiment.at("items").items()) {
     facts.scales[id] = {.points = item.at("points"),
                         .slider = item.value("slider", false),
                         .words = item.value("words", false),
@@ -158,6 +162,12 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
                         .high = item.value("high", ""),
                         .ties = item.value("ties", false),
                         .strength = item.value("strength", false)};
+    if (const auto continuous = item.find("continuous"); continuous != item.end()) {
+      facts.scales[id].lead_s = continuous->at("lead");
+      facts.scales[id].starts_low =
+          continuous->at("start") == word_of(trace_start_words, TraceStart::low);
+    }
+  }
   if (const auto choices = experiment.find("choices"); choices != experiment.end())
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
@@ -181,8 +191,10 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
     facts.recruitment.most_failed_checks = found->at("most_failed_checks");
   }
   const auto& media = experiment.at("media");
-  for (const auto& [token, stimulus] : experiment.at("stimuli").items())
+  for (const auto& [token, stimulus] : experiment.at("stimuli").items()) {
     facts.sha256[stimulus.get<std::string>()] = media.at(token).at("sha256");
+    facts.seconds[stimulus.get<std::string>()] = media.at(token).value("seconds", 0.0);
+  }
   return facts;
 }
 

@@ -52,6 +52,7 @@ struct QuestionnaireFacts {
   std::vector<DemographicQuestion> questions;
   RecruitmentFacts recruitment;
   std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
+  std::map<std::string, double> seconds;      ///< duration of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< only in a matching experiment
 };
 

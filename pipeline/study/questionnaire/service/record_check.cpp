@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/manifest/ratings/answers/trace.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
 
 namespace mien::pipeline {
@@ -60,6 +61,17 @@ void check_left_out(const QuestionnaireFacts& facts, const Trial& trial, const P
   check_media(facts, trial, record);
 }
 
+/// A trace is of the whole film.
+void check_trace(const QuestionnaireFacts& facts, const Trial& trial,
+                 const ItemResponse& response) {
+  const auto seconds = facts.seconds.find(trial.stimuli.front());
+  if (seconds == facts.seconds.end()) throw RecordFault("the duration of the film is not known");
+  const std::size_t wanted = trace_samples(seconds->second);
+  const auto count = static_cast<std::size_t>(std::ranges::count(response.value_raw, ' ')) + 1;
+  if (count != wanted)
+    throw RecordFault(fmt::format("a trace of {} samples, and its film has {}", count, wanted));
+}
+
 void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                         const Trial& trial, const PageRecord& record) {
   if (record.matching.has_value() != (trial.kind == &matching_trials))
@@ -77,6 +89,8 @@ void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan
   for (const ItemResponse& response : record.responses) {
     const TrialItem& item = *std::ranges::find(asked, response.item, &TrialItem::item);
     refuse(trial.kind->fault(question_of(facts, plan, trial, item), response));
+    if (trial.kind == &continuous_trials && !trial.is_attention_check())
+      check_trace(facts, trial, response);
   }
   if (trial.kind->contradiction != nullptr) refuse(trial.kind->contradiction(record.responses));
   check_media(facts, trial, record);

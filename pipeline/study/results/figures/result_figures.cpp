@@ -331,6 +331,7 @@ std::vector<ResultFigure> result_figures(const Results& results) {
   add_pair_figures(results, figures);
   add_worth_figures(results, figures);
   add_grid_figures(results, figures);
+  add_trace_figures(results, figures);
   add_detection_figures(results, figures);
   add_word_figures(results, figures);
   name_files(figures);

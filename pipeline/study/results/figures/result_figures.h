@@ -57,6 +57,10 @@ void add_worth_figures(const Results& results, std::vector<ResultFigure>& figure
 /// Adds a figure of the means of the conditions of grid trials.
 void add_grid_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds a figure for each scale: the mean traces of the stimuli with pointwise intervals. More than
+/// twelve stimuli are divided among several figures.
+void add_trace_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures of the sensitivities with their intervals, by stimulus or pair and by participant,
 /// if there are not too many.
 void add_detection_figures(const Results& results, std::vector<ResultFigure>& figures);

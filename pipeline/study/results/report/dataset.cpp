@@ -11,6 +11,7 @@
 
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/manifest/ratings/answers/trace_table.h"
 
 namespace mien::pipeline {
 
@@ -55,6 +56,12 @@ std::string alphanumeric(const std::string& text) {
   for (const char c : text)
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) kept += c;
   return kept.empty() ? "study" : kept;
+}
+
+/// The traces, with participants named as in the other tables.
+std::string separated_traces_csv(std::vector<AnswerRow> rows) {
+  separate_participants(rows);
+  return traces_csv(rows);
 }
 
 std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
@@ -145,6 +152,8 @@ Variables variables_of(const Results& results) {
   Variables variables;
   for (const Column& column : answer_form.columns) variables.add(column);
   for (const Column& column : added_columns(results.answer_set)) variables.add(column);
+  if (results.answer_set.form->is_continuous)
+    for (const Column& column : traces_form.columns) variables.add(column);
   for (const Column& column : stimulus_columns.columns) variables.add(column);
   for (const std::string& factor : further_factors(results.answer_set))
     variables.add(factor, "level of the factor " + factor + " of the stimulus");
@@ -184,6 +193,7 @@ std::string codebook_of(const Results& results, const std::vector<WrittenTable>&
   };
   add(answer_form, paths.answers);
   add({paths.answers, answer_form.rows, added_columns(results.answer_set)}, paths.answers);
+  if (results.answer_set.form->is_continuous) add(traces_form, paths.traces);
   add(stimulus_columns.form(), paths.stimuli);
   for (const std::string& factor : further_factors(results.answer_set))
     book.push_back({paths.stimuli, "stimulus", factor, "", "level of the factor " + factor});
@@ -214,6 +224,9 @@ std::string readme_of(const Results& results) {
          (results.demographics.empty()
               ? "- data/: the answers (one row each) and the stimuli\n"
               : "- data/: the answers (one row each), the stimuli and the participants\n") +
+         (results.answer_set.form->is_continuous
+              ? "- " + paths.traces + ": the traces of continuous ratings (one row per sample)\n"
+              : std::string()) +
          "- dataset_description.json: meaning of each column of data/ (JSON-LD)\n"
          "- codebook.csv: meaning of each column of data/ and results/\n"
          "- results/: tables\n"
@@ -228,7 +241,8 @@ std::string readme_of(const Results& results) {
 
 DatasetPaths dataset_paths(const std::string& study) {
   const std::string begin = "data/study-" + alphanumeric(study) + "_description-";
-  return {begin + "answers_data.csv", begin + "stimuli_data.csv", begin + "participants_data.csv"};
+  return {begin + "answers_data.csv", begin + "stimuli_data.csv", begin + "participants_data.csv",
+          begin + "traces_data.csv"};
 }
 
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
@@ -243,6 +257,8 @@ std::vector<DatasetFile> dataset_files(const Results& results, const std::vector
                                     {".psychdsignore",
                                      "report.html\ncodebook.csv\n"
                                      "results/\nfigures/\nanalysis/\n"}};
+  if (results.answer_set.form->is_continuous)
+    files.push_back({paths.traces, separated_traces_csv(rows)});
   if (!results.demographics.empty())
     files.push_back({paths.participants, participants_csv(results.demographics.table)});
   return files;

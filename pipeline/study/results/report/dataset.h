@@ -21,6 +21,7 @@ struct DatasetPaths {
   std::string answers;       ///< "data/study-emotionstudy_description-answers_data.csv"
   std::string stimuli;       ///< "data/study-emotionstudy_description-stimuli_data.csv"
   std::string participants;  ///< "data/study-emotionstudy_description-participants_data.csv"
+  std::string traces;        ///< of continuous trials: "…_description-traces_data.csv"
 };
 
 /// Paths by the naming rules of Psych-DS, in which keywords and values consist of letters and

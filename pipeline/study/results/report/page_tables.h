@@ -49,4 +49,8 @@ std::string detection_section_html(const Results& results, const std::string& fi
 /// answers.
 std::string grid_section_html(const Results& results, const std::string& figures);
 
+/// The section of continuous trials: what they mean, `figures`, and the agreement. Empty without
+/// such answers.
+std::string trace_section_html(const Results& results, const std::string& figures);
+
 }  // namespace mien::pipeline

@@ -344,6 +344,8 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   parts.section("quality", "Quality rules", quality_html(results));
   parts.section("means", "Means", parts.figures("means"));
   parts.section("grid", "Sets of stimuli", grid_section_html(results, parts.figures("grid")));
+  parts.section("traces", "Ratings over time",
+                trace_section_html(results, parts.figures("traces")));
   parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
   parts.section("best", "Highest-rated videos", best_html(results, parts));
   parts.section("differences", "Modified, acted and neutral motions",

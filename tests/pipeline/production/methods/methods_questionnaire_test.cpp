@@ -174,6 +174,27 @@ TEST_F(MethodsQuestionnaire, SaysHowSetsOfGridsAreMadeUp) {
   EXPECT_EQ(text.find("Scales had"), std::string::npos) << text;
 }
 
+TEST_F(MethodsQuestionnaire, SaysHowFilmsWereRatedWhileTheyPlayed) {
+  const std::string text = methods_of_asked(
+      "participants: 4, scales: [slow-fast, sad-happy], trials: continuous, continuous: {start: "
+      "low, lead: 2}, analysis: {lag: 1.5}");
+  for (const char* words :
+       {"participants saw one film, once, and while it played moved a marker from 0 to 100 with a "
+        "mouse, a finger or the arrow keys, for 2 scales (slow–fast, sad–happy), one scale after "
+        "the other, each with all films.",
+        "The marker began at the low end when the film began, and a held arrow key moved it by 50 "
+        "per second; the side of the high end varied between participants and scales.",
+        "interpolated to 10 samples per second of the film’s own time, in which stops of the film "
+        "have no part; the mean of a trial leaves out the first 2 seconds.",
+        "one to several seconds [@mariooryad2015]; in the analysis, ratings were moved back by 1.5 "
+        "seconds."})
+    expect_said(text, words);
+  for (const char* words : {"Scales were", "replayed", "before a film had ended"})
+    EXPECT_EQ(text.find(words), std::string::npos) << words;
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous"),
+              "it was not taken off in the analysis.");
+}
+
 TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {
   expect_said(
       methods_of_asked("participants: 4, scales: [slow-fast], trials: pair, preference: {ties: "

@@ -96,6 +96,8 @@ constexpr char with_grid_of_actors[] =
     R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid", "grid": {"alike": ["actor"]}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
 constexpr char with_reference[] =
     R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid", "grid": {"alike": ["actor"], "reference": {"mood": ["x"]}}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
+constexpr char with_continuous[] =
+    R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "continuous"}, "output": {"video": ["mp4"]}})";
 constexpr char with_same_different[] =
     R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}})";
 constexpr char with_same_different_and_factors[] =
@@ -183,6 +185,9 @@ const Surroundings surroundings[] = {
     {"questionnaire.grid.reference", with_grid_of_actors, "{}"},
     {"questionnaire.grid.anchor", with_grid_of_actors, "{}"},
     {"questionnaire.grid", with_grid, "{}"},
+    {"questionnaire.continuous.", with_continuous, "{}"},
+    {"questionnaire.continuous", with_continuous, "{}"},
+    {"questionnaire.analysis.lag", with_continuous, "{}"},
     {"questionnaire.analysis.quality.post_screening", with_reference, "{}"},
     {"questionnaire.same_different.differ_in", with_same_different_and_factors, "{}"},
     {"questionnaire.same_different.", with_same_different, "{}"},
@@ -502,6 +507,7 @@ const Values chosen_values[] = {
     {"questionnaire.best_worst", R"([{"size": 3, "sets": 2}, {"size": 3, "sets": 5}])"},
     {"questionnaire.best_worst.size", "[3, 4]"},
     {"questionnaire.best_worst.sets", "[4, 5]"},
+    {"questionnaire.continuous", R"([{"lead": 2}, {"lead": 3}])"},
     {"questionnaire.grid", R"([{"alike": ["actor"]}, {"alike": ["mood"]}])"},
     {"questionnaire.grid.alike", R"([["actor"], ["mood"]])"},
     {"questionnaire.grid.sets", R"([[["a", "b"]], [["b", "a"], ["c", "d"]]])"},

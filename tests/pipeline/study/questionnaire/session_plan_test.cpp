@@ -338,6 +338,74 @@ TEST(SessionPlan, OfAGridHasEachSetInAnOrderOfItsOwnBesideItsReference) {
   }
 }
 
+TEST(SessionPlan, OfContinuousRatingsHasOneScaleAfterTheOtherWithAllStimuli) {
+  const Manifest manifest = asked_study(
+      6,
+      "participants: 12, scales: [sad-happy, slow-fast], trials: continuous, practice: [a1], "
+      "warm_up: 1, attention: {every: 3}, pace: {answer: 2, between: 1}");
+  int flipped = 0, in_other_order = 0;
+  std::string before;
+  std::map<std::string, int> first;
+  const std::vector<SessionPlan> plans = plan_sessions(manifest, {{"a1", 5.0}, {"b2", 7.0}});
+  for (const SessionPlan& plan : plans) {
+    std::vector<std::string> scales;
+    std::map<std::string, std::vector<std::string>> orders;
+    for (const Trial& trial : plan.trials) {
+      ASSERT_EQ(trial.items.size(), 1u);
+      const std::string& scale = trial.items[0].item;
+      if (scales.empty() || scales.back() != scale) {
+        scales.push_back(scale);
+        EXPECT_TRUE(trial.practice) << "each scale begins with its practice";
+      }
+      if (trial.is_analysed()) orders[scale].push_back(trial.stimuli.at(0));
+      flipped += trial.is_analysed() && trial.items[0].flipped;
+    }
+    EXPECT_EQ(scales.size(), 2u);
+    ++first[scales[0]];
+    // Of participants 1 and 2, 3 and 4 …, each begins with another scale.
+    if (plan.index % 2 == 1) {
+      EXPECT_EQ(scales[1], before);
+    }
+    before = scales[0];
+    EXPECT_EQ(orders.size(), 2u);
+    for (const auto& [scale, order] : orders) {
+      EXPECT_EQ(std::set<std::string>(order.begin(), order.end()).size(), 6u);
+      EXPECT_EQ(order.size(), 6u);
+    }
+    in_other_order += orders["sad-happy"] != orders["slow-fast"];
+  }
+  EXPECT_EQ(first["sad-happy"], 6);
+  EXPECT_EQ(flipped, 72);  // half of 12 participants with 12 trials
+  EXPECT_GE(in_other_order, 11);
+  const Balance balance = balance_of(manifest, plans);
+  EXPECT_EQ(participant_range(balance).least, 12);
+  EXPECT_EQ(participant_range(balance).most, 12);
+  EXPECT_EQ(balance.max_positions, 6);
+  EXPECT_EQ(balance.flipped.size(), 2u);
+  EXPECT_EQ(balance.flipped.at("slow-fast"), 6);
+  // Nothing is answered after a film: its seconds and 1 s between; checks are answered.
+  double seconds = 0.0;
+  for (const Trial& trial : plans[0].trials) {
+    const std::string film = trial.stimuli.empty() ? "" : trial.stimuli[0];
+    seconds += 1.0 + (film.empty() ? 2.0 : film == "a1" ? 5.0 : film == "b2" ? 7.0 : 4.0);
+  }
+  EXPECT_DOUBLE_EQ(plans[0].expected_seconds, seconds);
+}
+
+TEST(SessionPlan, OfContinuousRatingsInAFixedOrderIsTheSameForAll) {
+  const Manifest manifest = asked_study(
+      4,
+      "participants: 3, scales: [slow-fast, sad-happy], trials: continuous, order: fixed, answer: "
+      "{side: fixed}");
+  for (const SessionPlan& plan : plan_sessions(manifest)) {
+    ASSERT_EQ(plan.trials.size(), 8u);
+    EXPECT_EQ(plan.trials[0].items[0], (TrialItem{"slow-fast"}));
+    EXPECT_EQ(plan.trials[4].items[0], (TrialItem{"sad-happy"}));
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(plan.trials[i].stimuli, plan.trials[i + 4].stimuli);
+  }
+}
+
 TEST(SessionPlan, OfAGridPractisesSetsOfEqualLevelsAndTakesAsLongAsAllVideos) {
   const Manifest manifest = asked_study(
       8,

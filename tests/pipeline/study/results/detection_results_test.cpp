@@ -13,7 +13,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Without bias, so that d′ is that of the truth.
-constexpr SimulatedParticipants unbiased_people = {
+const SimulatedParticipants unbiased_people = {
     .spread = {.participant = 0.0, .stimulus = 0.0, .residual = 0.4}, .attention_pass_rate = 1.0};
 
 Manifest detection_study(const TrialForm& form, int participants) {

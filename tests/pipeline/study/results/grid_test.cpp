@@ -54,7 +54,7 @@ const std::map<std::string, double> clear_means = {
     {"captured", 97.0}, {"model-a", 60.0}, {"model-b", 50.0}, {"mismatched", 25.0}};
 
 /// Participants whose ratings seldom reach an end of the scale.
-constexpr SimulatedParticipants grid_people = {
+const SimulatedParticipants grid_people = {
     .spread = {.participant = 5.0, .stimulus = 0.0, .residual = 8.0},
     .attention_pass_rate = 1.0,
     .reference_recognition_rate = 1.0};

@@ -54,9 +54,10 @@ AnswerRow completed(const Question& question, const std::string& raw) {
 }
 
 ItemResponse response_of(const Question& question, const std::string& raw) {
-  // Places in a set are choices, not numbers.
-  const bool is_number = !question.trial.kind->form->is_set &&
-                         raw.find_first_not_of("0123456789") == std::string::npos;
+  // Places in a set are choices, and traces are texts.
+  const TrialForm& form = *question.trial.kind->form;
+  const bool is_text = form.is_set || (form.is_continuous && !question.trial.is_attention_check());
+  const bool is_number = !is_text && raw.find_first_not_of("0123456789") == std::string::npos;
   return {.item = question.item.item, .value_raw = raw, .is_number = is_number};
 }
 
@@ -75,8 +76,12 @@ TEST(TrialKinds, TakeEveryAnswerThatACheckMayAskFor) {
     const std::vector<std::string> answers = kind.attention_answers(question);
     ASSERT_FALSE(answers.empty());
     EXPECT_EQ(std::set<std::string>(answers.begin(), answers.end()).size(), answers.size());
-    for (const std::string& answer : answers)
-      EXPECT_EQ(kind.fault(question, response_of(question, answer)), "") << kind.name << answer;
+    for (const std::string& answer : answers) {
+      Trial check = question.trial;
+      check.expected = answer;
+      const Question asked{check, question.item, question.scale, question.choices};
+      EXPECT_EQ(kind.fault(asked, response_of(asked, answer)), "") << kind.name << answer;
+    }
   });
 }
 

@@ -135,6 +135,7 @@ function show(status: LabStatus): void {
   if (join.value !== link) join.value = link;
   for (const part of document.querySelectorAll<HTMLElement>(".of-matching")) part.hidden = !status.is_matching;
   for (const part of document.querySelectorAll<HTMLElement>(".of-questionnaire")) part.hidden = status.is_matching;
+  for (const part of document.querySelectorAll<HTMLElement>(".of-traces")) part.hidden = !status.has_traces;
   showOverview(status);
   showParticipants(status.participants);
   showAnswers(status);

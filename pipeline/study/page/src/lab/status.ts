@@ -4,6 +4,7 @@ export interface LabStatus {
   title: string;
   design: string;
   is_matching: boolean;
+  has_traces: boolean;
   /** Why answers cannot be kept; empty where they can. */
   trouble: string;
   planned: number;

@@ -8,7 +8,7 @@ export interface Asked {
   /** Focuses where an answer is given. */
   focus(): void;
   /** Nothing until it is answered. */
-  answer(): { item: string; value_raw: number | string; at: number } | null;
+  answer(): { item: string; value_raw: number | string; at: number; rt_ms?: number | null } | null;
   /** What has to be done yet, where that is not only an answer. */
   lack?(): "play" | "answer" | null;
 }
@@ -199,10 +199,11 @@ export function scaleOf(
     : pointsOf(id, item, flipped, texts, answered);
 }
 
-/** Answers in the order in which they were asked; times from `since`. */
+/** Answers in the order in which they were asked; times from `since`, where they have no time of their own. */
 export const responsesOf = (asked: Asked[], since: number): Response[] =>
   asked.flatMap((one) => {
     const answer = one.answer();
-    return answer ? [{ item: answer.item, value_raw: answer.value_raw,
-      rt_ms: Math.max(0, Math.round(answer.at - since)) }] : [];
+    if (!answer) return [];
+    const { item, value_raw: valueRaw, at, rt_ms: own } = answer;
+    return [{ item, value_raw: valueRaw, rt_ms: own === undefined ? Math.max(0, Math.round(at - since)) : own }];
   });

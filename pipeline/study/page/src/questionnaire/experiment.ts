@@ -122,6 +122,9 @@ export interface Item {
   /** Of pairs: no preference may be answered, and preferences may be slight or strong. */
   ties?: boolean;
   strength?: boolean;
+  /** How it is rated while a film plays: the mean leaves out the first seconds (lead); held keys move the marker
+      by so many hundredths a second (speed). */
+  continuous?: { input: "slider" | "keys"; start: "middle" | "low"; lead: number; speed: number };
 }
 
 export interface Demographic {
@@ -172,7 +175,8 @@ export interface Trial {
 export interface Response {
   item: string;
   value_raw: number | string;
-  rt_ms: number;
+  /** Nothing where a marker was not moved. */
+  rt_ms: number | null;
 }
 
 /** What stores must know of a study: a questionnaire, or a matching experiment. */

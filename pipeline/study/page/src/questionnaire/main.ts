@@ -146,7 +146,9 @@ function timelineOf(own: Session) {
     timeline.push(calibrating,
       { type: RunPage, run: (display: HTMLElement) => fitWindow(own, display) });
   const isGrid = session.trials.some(({ kind }) => kind === "grid");
-  const keys = [...(isTouched() ? [] : [isGrid ? texts.gridKeys : texts.keys]),
+  const isContinuous = session.trials.some(({ kind }) => kind === "continuous");
+  const keys = [...(isContinuous ? [texts.continuousHow] : []),
+    ...(isTouched() ? [] : [isContinuous ? texts.continuousKeys : isGrid ? texts.gridKeys : texts.keys]),
     ...(experiment.settings.view === "turn" ? [texts.turnKeys] : [])];
   const isResumed = kept("consent") && session.trials.some(({ number }) => kept(`trial-${number}`));
   timeline.push(textPage(own, "", { title: texts.instructions,

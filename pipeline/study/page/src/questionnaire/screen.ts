@@ -12,6 +12,8 @@ export interface Screen {
   stop(): void;
   /** Whether it has been played to its end. */
   hasEnded(): boolean;
+  /** The film's own time, in seconds; of films. */
+  time?(): number;
   /** Frames that were not shown since the screen was made; null where that is unknown. */
   dropped_frames(): number | null;
   release(): void;
@@ -83,6 +85,7 @@ function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
       video.pause();
     },
     hasEnded: () => video.ended,
+    time: () => video.currentTime,
     dropped_frames: () => video.getVideoPlaybackQuality?.().droppedVideoFrames ?? null,
     release: () => release(video),
   };

@@ -64,7 +64,7 @@ const betweenMs = 500;
  */
 export class Stage implements TrialStage {
   readonly root: HTMLElement;
-  private screens: Screen[] = [];
+  protected screens: Screen[] = [];
   private cover: HTMLElement;
   private playButton: HTMLButtonElement;
   private note: HTMLElement;
@@ -72,7 +72,7 @@ export class Stage implements TrialStage {
   private isInTurn: boolean;
   /** Of those that are shown one after the other, the one that is shown. */
   private current = 0;
-  private state: "loading" | "covered" | "playing" = "loading";
+  protected state: "loading" | "covered" | "playing" = "loading";
   private firstStart: number | null = null;
   private firstEnd: number | null = null;
   private stalls = 0;
@@ -80,7 +80,7 @@ export class Stage implements TrialStage {
   private stalledAt: number | null = null;
   private watchDog = 0;
   private volumeEvents: string[] = [];
-  private played: Played = { begun: 0, ended: 0, longest_ms: 0 };
+  protected played: Played = { begun: 0, ended: 0, longest_ms: 0 };
   private playedAt: number | null = null;
   private stops = 0;
   private waiting = 0;
@@ -294,14 +294,19 @@ export class Stage implements TrialStage {
     this.playButton.hidden = this.state !== "covered" || !this.canPlay();
     this.playButton.replaceChildren(
       element("span", { class: "triangle", "aria-hidden": "true" }),
-      plays === 0 ? texts.play : texts.replay);
+      this.isFirst() ? texts.play : texts.replay);
     // Once answers can be given the focus is there, and so is Space.
-    if (plays === 0) this.playButton.append(element("kbd", {}, texts.playKey));
+    if (this.isFirst()) this.playButton.append(element("kbd", {}, texts.playKey));
     const { replays } = this.settings;
     if (this.state === "loading") this.note.textContent = texts.waitForVideo;
     else if (ended > 0 && typeof replays === "number" && this.canPlay())
       this.note.textContent = texts.replaysLeft({ left: replays - ended + 1 });
     else this.note.textContent = "";
+  }
+
+  /** Whether playing it now is not a replay. */
+  protected isFirst(): boolean {
+    return this.played.begun + this.attempt.before.begun === 0;
   }
 
   focus(): void {

@@ -5,6 +5,7 @@ import { button, element } from "./elements";
 import type { Experiment, PageRecord, PlayFault, Session, Trial } from "./experiment";
 import { countBlurs } from "./measures";
 import type { Stock } from "./media";
+import { ContinuousStage } from "./continuous_stage";
 import { GridStage } from "./grid_stage";
 import { Stage, type ShownMedia, type TrialStage } from "./stage";
 import type { Texts } from "./texts";
@@ -86,25 +87,22 @@ class TrialAtWork {
     const shown = shownOf(trial, around);
     const grid = this.grid = trial.kind === "grid" ? new GridStage(shown, experiment.settings, texts, this.attempt, this.began,
       (fault) => void this.leaveOut(fault)) : undefined;
-    this.asked = kindOf(trial).ask({ trial, experiment, texts, grid,
+    const told = { began: () => { if (experiment.settings.watch === "free") this.open(); },
+      ended: () => this.ended(), leftOut: (fault: PlayFault) => void this.leaveOut(fault) };
+    const film = trial.kind === "continuous"
+      ? new ContinuousStage(shown, experiment.settings, texts, this.attempt, this.began, told) : undefined;
+    this.asked = kindOf(trial).ask({ trial, experiment, texts, grid, film,
       choices: around.session.choices ?? Object.keys(experiment.choices ?? {}),
       answered: (asked, isKey) => this.answered(asked, isKey) });
-    const isWide = grid ? grid.isWide : shown.length > 1 && experiment.settings.pairs !== "in_turn";
+    const isWide = film ? true : grid ? grid.isWide : shown.length > 1 && experiment.settings.pairs !== "in_turn";
     page.classList.add(trial.kind, isWide ? "wide" : "narrow");
     if (experiment.settings.display) page.classList.add("fixed");
     if (!shown.length) page.classList.add("bare");
     page.append(this.head());
-    if (grid) {
-      this.stage = grid;
-      page.append(grid.root);
-    } else if (shown.length) {
-      this.stage = new Stage(shown, experiment.settings, texts, this.attempt, this.began, {
-        began: () => { if (experiment.settings.watch === "free") this.open(); },
-        ended: () => this.ended(),
-        leftOut: (fault) => void this.leaveOut(fault),
-      });
-      page.append(this.stage.root);
-    }
+    this.stage = grid ?? film ?? null;
+    if (!this.stage && shown.length)
+      this.stage = new Stage(shown, experiment.settings, texts, this.attempt, this.began, told);
+    if (this.stage) page.append(this.stage.root);
     const rows = element("div", { class: this.asked.length > 3 ? "rows many" : "rows" },
       ...this.asked.map(({ root }) => root));
     this.answers.append(element("h2", { class: "question-text" }, this.question()), rows,
@@ -186,6 +184,8 @@ class TrialAtWork {
 
   private ended(): void {
     this.open();
+    // The marker has the focus, and can no longer be moved.
+    if (this.trial.kind === "continuous") return this.focusMissing();
     // While it was replayed, the button that had the focus was hidden.
     if (!this.page.contains(document.activeElement)) this.focusMissing();
   }

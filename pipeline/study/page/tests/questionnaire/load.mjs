@@ -69,6 +69,13 @@ class Browser {
 
 const sideOf = (scale) => (scale?.strength ? "left_much" : "left");
 
+/** A marker that wanders while the film plays. */
+const traceOf = (seconds) => {
+  let at = 50;
+  return Array.from({ length: Math.ceil(10 * seconds - 1e-6) + 1 },
+    () => (at = Math.min(100, Math.max(0, at + Math.round(9 * random()) - 4)))).join(" ");
+};
+
 const valueOf = (experiment, trial, item) => {
   // Places in a set are chosen, not numbers.
   if (trial.expected)
@@ -76,6 +83,7 @@ const valueOf = (experiment, trial, item) => {
   const own = { pair: sideOf(experiment.items[item]), same_different: "same", yes_no: "yes",
     two_interval: "first", best_worst: item.endsWith("/best") ? "1" : "2", grid: Math.floor(101 * random()) };
   if (trial.kind in own) return own[trial.kind];
+  if (trial.kind === "continuous") return traceOf(experiment.media[trial.media[0]].seconds);
   if (trial.kind === "emotion" && !experiment.items[item]) return Object.keys(experiment.choices)[0];
   if (experiment.items[item].slider) return Math.floor(101 * random());
   return experiment.items[item].words ? "heavy" : 1 + Math.floor(random() * experiment.items[item].points);

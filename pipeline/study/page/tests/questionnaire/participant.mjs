@@ -36,10 +36,27 @@ async function playGrid(page, press) {
   }
 }
 
+/** Rates a film while it plays, by mouse or by keys; the focus is then on the button that goes on. */
+async function rateWhilePlaying(page, byKeys) {
+  await page.waitForSelector(".play:not([hidden])", { timeout: 30000 });
+  if (byKeys) await page.keyboard.press("Space");
+  else await page.locator(".play").click();
+  await page.waitForFunction(() => document.querySelector("video").currentTime > 0.3, null, { timeout: 30000 });
+  const box = await page.locator(".marker").boundingBox();
+  if (byKeys) await page.keyboard.down("ArrowRight");
+  else await page.mouse.click(box.x + 0.7 * box.width, box.y + box.height / 2);
+  if (byKeys) await page.waitForTimeout(300);
+  if (byKeys) await page.keyboard.up("ArrowRight");
+  await page.waitForFunction(() => document.activeElement?.matches(".answers .main"), null, { timeout: 60000 });
+}
+
 /** Answers of a trial by clicks: place (index + number of the trial) of each scale. */
 async function answerByMouse(page, number, careless) {
   if (await page.locator(".grid-stage").count()) {
     await playGrid(page, (play) => play.click());
+  } else if (await page.locator(".marker").count()) {
+    await rateWhilePlaying(page, false);
+    return page.locator(".answers .main").click();
   } else if (await page.locator(".stage").count()) {
     await page.locator(".play").click();
     await openAnswers(page);
@@ -83,6 +100,10 @@ async function answerGridByKeys(page) {
 /** The same without a mouse: whatever has the focus is used. */
 async function answerByKeys(page, number) {
   if (await page.locator(".grid-stage").count()) return answerGridByKeys(page);
+  if (await page.locator(".marker").count()) {
+    await rateWhilePlaying(page, true);
+    return page.keyboard.press("Enter");
+  }
   const focus = (what) => page.waitForFunction((css) => document.activeElement?.matches(css), what, { timeout: 30000 });
   if (await page.locator(".stage").count()) {
     await focus(".play");

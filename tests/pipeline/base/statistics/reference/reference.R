@@ -506,6 +506,29 @@ expect("detected", d = d_of(detected), mean = mean(own), low = interval[1], high
        correct = (mean(detected$yes[detected$signal == 1]) +
                   mean(1 - detected$yes[detected$signal == 0])) / 2)
 
+# Traces of continuous ratings: rows are times (each 0.1 s), columns participants; the last one did
+# not move the marker. The lag of the analysis is 0.5 s, the lead 1 s.
+trace_times <- seq(0, 4, 0.1)
+traces <- sapply(1:6, function(person)
+  round(pmin(100, pmax(0, 50 + 30 * (1 - exp(-pmax(0, trace_times - 0.5) / 1.2)) +
+                            pmin(1, trace_times) * rnorm(1, 0, 8) + cumsum(rnorm(41, 0, 1.5)))), 1))
+traces[, 6] <- 50
+sample_of("traces", as.vector(t(traces)))
+for (k in c(0, 7, 35)) {
+  values <- traces[trace_times == trace_times[6 + k], ]
+  interval <- t.test(values)$conf.int
+  expect(paste0("traces/", k), mean = mean(values), sd = sd(values), low = interval[1],
+         high = interval[2])
+}
+followed <- traces[16:41, ]
+r <- psych::ICC(followed, lmer = FALSE)$results$ICC
+sums <- rowSums(followed)
+expect("traces/agreement", two = r[2], two_k = r[5],
+       alpha = 6 / 5 * (1 - sum(apply(followed, 2, var)) / var(sums)))
+means <- colMeans(followed)
+interval <- t.test(means)$conf.int
+expect("traces/means", mean = mean(means), low = interval[1], high = interval[2])
+
 # --- Written --------------------------------------------------------------------------------------
 
 long <- do.call(rbind, lapply(names(samples), function(name)

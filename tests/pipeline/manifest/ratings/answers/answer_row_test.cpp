@@ -163,7 +163,7 @@ TEST(AnswerRow, IsReadFromTheFormerNameOfItsColumnWithAWarning) {
 TEST(AnswerRow, TellsEveryFaultWithItsPlace) {
   EXPECT_EQ(faults_with("kind", "guess"),
             "a.csv:2:16: \"guess\" is not a valid kind; there are rating, emotion, pair, "
-            "same_different, yes_no, two_interval, best_worst, grid, attention");
+            "same_different, yes_no, two_interval, best_worst, grid, continuous, attention");
   EXPECT_NE(faults_with("rt_ms", "soon").find("\"soon\" is not a number"), std::string::npos);
   EXPECT_NE(faults_with("rt_ms", "-3").find("-3 is below 0"), std::string::npos);
   EXPECT_NE(faults_with("stalls", "1.5").find("1.5 is not a whole number"), std::string::npos);

@@ -7,6 +7,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/manifest/ratings/answers/trace_table.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 
@@ -37,8 +38,8 @@ TEST(DeclaredTables, HaveTheColumnsOfThePages) {
 
 TEST(DeclaredTables, ArePagesOfTheManual) {
   std::string sections;
-  for (const TableForm& form : {answer_form, participant_form, plans_form, balance_form,
-                                matching_trials_form, matching_changes_form})
+  for (const TableForm& form : {answer_form, traces_form, participant_form, plans_form,
+                                balance_form, matching_trials_form, matching_changes_form})
     sections += (sections.empty() ? "" : "\n") + markdown_of(form);
   const std::string page = source_file("pipeline/study/questionnaire/TABLES.md");
   EXPECT_EQ(page.substr(page.find("## ")), sections);

@@ -15,6 +15,16 @@ export interface GridFilms {
   onChange(listener: () => void): void;
 }
 
+/** A film that is rated while it plays. */
+export interface TraceFilm {
+  isPlaying(): boolean;
+  hasEnded(): boolean;
+  /** The film's own time, in seconds. */
+  time(): number;
+  /** Called before it begins to play. */
+  onBegin(listener: () => void): void;
+}
+
 /** What a page knows when it asks a trial. */
 export interface Asking {
   trial: Trial;
@@ -25,6 +35,8 @@ export interface Asking {
   answered: Answered;
   /** Of a grid, what plays its films. */
   grid?: GridFilms;
+  /** Of a continuous rating, what is rated. */
+  film?: TraceFilm;
 }
 
 /** What a raw answer means, as the table of answers has it. */

@@ -1,6 +1,7 @@
 import type { Trial } from "../experiment";
 import { attention } from "./attention";
 import { bestWorst } from "./best_worst";
+import { continuous } from "./continuous";
 import { emotion } from "./emotion";
 import { grid } from "./grid";
 import { pair } from "./pair";
@@ -12,7 +13,7 @@ import { yesNo } from "./yes_no";
 
 /** All kinds of trials, by the names that experiments have for them. */
 const trialKinds: Record<string, TrialKind> = { rating, emotion, pair, same_different: sameDifferent,
-  yes_no: yesNo, two_interval: twoInterval, best_worst: bestWorst, grid, attention };
+  yes_no: yesNo, two_interval: twoInterval, best_worst: bestWorst, grid, continuous, attention };
 
 /** Throws with words for whoever runs the study. */
 export function kindOf({ kind }: Trial): TrialKind {

@@ -1,0 +1,102 @@
+#include "pipeline/study/results/trace_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "pipeline/base/statistics/t_test.h"
+#include "pipeline/manifest/ratings/answers/trace.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+/// The traces of a stimulus on a scale: sum and number by participant.
+struct CourseTraces {
+  std::map<std::size_t, std::pair<std::vector<double>, int>> by_person;
+  std::size_t samples = 0;  ///< of the shortest trace; those of a film are equally long
+  int unmoved = 0;
+
+  void add(const AnalysedTrace& trace) {
+    auto& [sum, count] = by_person[trace.person];
+    sum.resize(std::max(sum.size(), trace.values.size()));
+    for (std::size_t k = 0; k < trace.values.size(); ++k) sum[k] += trace.values[k];
+    ++count;
+    samples = samples == 0 ? trace.values.size() : std::min(samples, trace.values.size());
+    const auto [least, most] = std::ranges::minmax(trace.values);
+    unmoved += least == most ? 1 : 0;
+  }
+
+  /// Samples from `first` on × participants.
+  Eigen::MatrixXd table(std::size_t first) const {
+    const std::size_t count = samples > first ? samples - first : 0;
+    Eigen::MatrixXd table(count, by_person.size());
+    Eigen::Index column = 0;
+    for (const auto& [person, own] : by_person) {
+      for (std::size_t k = 0; k < count; ++k)
+        table(static_cast<Eigen::Index>(k), column) = own.first[first + k] / own.second;
+      ++column;
+    }
+    return table;
+  }
+};
+
+TracePoint point_of(const Eigen::RowVectorXd& values, double time_s) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  TracePoint point{.time_s = time_s,
+                   .people = static_cast<int>(values.size()),
+                   .deviation = none,
+                   .ends = {none, none}};
+  const TTest test = paired_t_test({values.begin(), values.end()});
+  point.mean = test.mean;
+  if (point.people < 2) return point;
+  point.deviation = test.standard_error * std::sqrt(static_cast<double>(point.people));
+  point.ends = {test.low(0.95), test.high(0.95)};
+  return point;
+}
+
+std::vector<TracePoint> points_of(const CourseTraces& traces, double lag_s) {
+  const std::size_t first = first_sample_from(lag_s);
+  const Eigen::MatrixXd table = traces.table(first);
+  std::vector<TracePoint> points;
+  for (Eigen::Index k = 0; k < table.rows(); ++k) {
+    const double time_s =
+        (static_cast<double>(first) + static_cast<double>(k)) / trace_rate_hz - lag_s;
+    points.push_back(point_of(table.row(k), std::max(0.0, std::round(1e6 * time_s) / 1e6)));
+  }
+  return points;
+}
+
+TraceAgreement agreement_on(const CourseTraces& traces, double from_s) {
+  const Eigen::MatrixXd table = traces.table(first_sample_from(from_s));
+  TraceAgreement result{.people = static_cast<int>(table.cols()),
+                        .samples = static_cast<int>(table.rows()),
+                        .unmoved = traces.unmoved};
+  const Agreement agreement = agreement_of(table);
+  result.alpha = agreement.alpha;
+  result.intraclass = agreement.all;
+  return result;
+}
+
+}  // namespace
+
+TraceResults trace_results(const AnswerSet& answer_set) {
+  std::map<std::pair<std::size_t, std::size_t>, CourseTraces> courses;  // by stimulus and scale
+  for (const AnalysedTrace& trace : answer_set.traces)
+    courses[{trace.stimulus, trace.scale}].add(trace);
+  TraceResults results;
+  for (const auto& [key, traces] : courses) {
+    results.means.push_back({key.first, key.second, points_of(traces, answer_set.trace_lag_s)});
+    results.agreement.push_back(
+        agreement_on(traces, answer_set.trace_lag_s + answer_set.trace_lead_s));
+    results.agreement.back().stimulus = key.first;
+    results.agreement.back().scale = key.second;
+  }
+  return results;
+}
+
+}  // namespace mien::pipeline
