@@ -314,7 +314,8 @@ void describe_order(MethodsText& out) {
                         is_one ? "which was" : "which were"));
   }
   if (asked.attention_every > 0) {
-    const int trials = static_cast<int>(own) + asked.warm_up + asked.repeated;
+    const int trials = (static_cast<int>(own) + asked.warm_up + asked.repeated) *
+                       static_cast<int>(scales_in_turn(out.manifest));
     const int checks = (trials - 1) / asked.attention_every;
     out.say(fmt::format("About every {} trials, an attention check asked for a certain answer{}",
                         asked.attention_every,
