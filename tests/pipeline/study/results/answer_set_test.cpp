@@ -72,6 +72,23 @@ TEST(AnswerSet, TellsMeasuredViewingDistances) {
                                       "participants)."}));
 }
 
+TEST(AnswerSet, TellsViewingDistancesOfIncludedParticipantsOnly) {
+  const Manifest manifest = two_emotion_study(3);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  ReportChoices choices{.without_unfinished = true};
+  const int trial = rows.front().trial;
+  for (AnswerRow& row : rows) {
+    row.viewing_cm = row.participant == "p001" ? 90.0 : 60.0;
+    if (row.participant == "p001") choices.planned[row.seed] = 5;
+  }
+  std::erase_if(
+      rows, [&](const AnswerRow& row) { return row.participant == "p001" && row.trial == trial; });
+  const AnswerSet answer_set = collect_answers(manifest, read_back(rows), choices);
+  EXPECT_EQ(answer_set.people.size(), 2u);
+  ASSERT_EQ(answer_set.notes.size(), 1u);
+  EXPECT_NE(answer_set.notes[0].find("mean 60.0 cm"), std::string::npos) << answer_set.notes[0];
+}
+
 TEST(AnswerSet, TellsEveryFaultWithItsPlace) {
   const Manifest manifest = two_emotion_study(2);
   std::vector<AnswerRow> rows = answers_to(manifest);
