@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/power/power_output.h"
 #include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/continuous_films.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -153,19 +155,19 @@ void print_power(const DesignCommand& command, const Manifest& manifest, const C
     print_power_of(scale, question, manifest, console, out);
 }
 
-/// Warns if the usual standard deviations, those of scales from -2 to 2, are assumed on longer
-/// ones.
+/// Warns if the usual standard deviations, those of scales from -2 to 2, are assumed on others.
 void warn_of_usual_spread(const DesignCommand& command, const Manifest& manifest,
                           const Console& console) {
   if (!command.power || !command.ratings.empty() || !command.spread.empty()) return;
   const ScaleSet asked = questionnaire_scales(manifest);
-  const auto longer = std::ranges::find_if(
-      asked.scales, [](const Scale& scale) { return scale.most - scale.least > 8.0; });
-  if (longer == asked.scales.end()) return;
+  const auto other = std::ranges::find_if(asked.scales, [](const Scale& scale) {
+    return std::abs(scale.most - scale.least - 4.0) > 1e-9;
+  });
+  if (other == asked.scales.end()) return;
   console.err << fmt::format(
       "warning: {} goes from {:g} to {:g}, but the standard deviations assumed for its ratings are "
       "those of scales from -2 to 2; state --spread and --difference\n",
-      longer->id, longer->least, longer->most);
+      other->id, other->least, other->most);
 }
 
 /// The planned tests, simulated with the assumptions of the command.
@@ -218,7 +220,8 @@ std::string trials_text(const std::vector<SessionPlan>& plans) {
   add(counted([](const Trial& trial) { return trial.warm_up; }), "to warm up");
   add(counted([](const Trial& trial) { return trial.is_check && !trial.is_attention_check(); }),
       "repeated");
-  add(counted([](const Trial& trial) { return trial.is_attention_check(); }), "attention checks");
+  const std::string checks = counted([](const Trial& trial) { return trial.is_attention_check(); });
+  add(checks, checks == "1" ? "attention check" : "attention checks");
   return text;
 }
 
@@ -253,7 +256,9 @@ int design(const DesignCommand& command, const Console& console) {
     return design_matching(manifest, {command.participants, command.plans}, console);
   }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
-  const std::vector<SessionPlan> plans = plan_sessions(manifest, video_seconds(manifest));
+  const VideoSeconds seconds = video_seconds(manifest);
+  check_continuous_films(manifest, seconds);
+  const std::vector<SessionPlan> plans = plan_sessions(manifest, seconds);
   const Balance balance = balance_of(manifest, plans);
   std::vector<NewTable> tables = {{command.plans, plans_csv(plans)},
                                   {command.balance, balance_csv(balance)}};

@@ -62,6 +62,10 @@ ReportInputs inputs_of(const ReportCommand& options) {
   std::vector<fs::path> named;
   for (const std::string& name : options.files) {
     const fs::path file = name;
+    if (file.extension() == ".db")
+      throw Error(
+          {name}, "is the file of answers of a served study",
+          "save answers.csv from the experimenter's page (mien study serve), and give that");
     if (is_manifest(file)) {
       if (!inputs.manifest.empty())
         throw Error({name}, "is a second manifest", "report each study separately");

@@ -93,9 +93,10 @@ std::string left_out_html(const Results& results) {
     };
     if (scale.incomplete > 0)
       sentences.push_back(
-          fmt::format("{}: {} rated some cells of the design, but not all, and {} "
-                      "left out.",
-                      name, people(scale.incomplete), scale.incomplete == 1 ? "is" : "are"));
+          fmt::format("{}: {} {} analysed ratings of some cells of the design, but not of all, and "
+                      "{} left out.",
+                      name, people(scale.incomplete), scale.incomplete == 1 ? "has" : "have",
+                      scale.incomplete == 1 ? "is" : "are"));
     if (scale.ungrouped > 0)
       sentences.push_back(fmt::format("{}: {} without a group of at least two left out.", name,
                                       people(scale.ungrouped)));

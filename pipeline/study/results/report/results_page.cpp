@@ -188,17 +188,17 @@ std::string unmatched_html(const Results& results) {
 
 std::string differences_html(const Results& results, const PageParts& parts) {
   std::string html = parts.figures("differences");
-  const auto add = [&](ComparisonFamily family, const std::string& thesis) {
+  const auto add = [&](ComparisonFamily family) {
     const std::string videos = comparisons_html(results, family);
     if (videos.empty()) return;
     html += heading(title_of(family)) + overall_html(results, family) + "<details" +
-            (results.overall.empty() ? " open" : "") + "><summary>Video by video" + thesis +
-            "</summary>\n" + videos + "</details>\n";
+            (results.overall.empty() ? " open" : "") + "><summary>Video by video</summary>\n" +
+            videos + "</details>\n";
   };
-  add(ComparisonFamily::modified_acted, " (as figure 37 of the emotion thesis)");
-  add(ComparisonFamily::modified_neutral, "");
-  add(ComparisonFamily::modified_best, "");
-  add(ComparisonFamily::acted_neutral, "");
+  add(ComparisonFamily::modified_acted);
+  add(ComparisonFamily::modified_neutral);
+  add(ComparisonFamily::modified_best);
+  add(ComparisonFamily::acted_neutral);
   if (html.empty()) return "";
   return html_paragraph(
              "How strongly the intended emotion is perceived. A setting is a combination of "
@@ -225,10 +225,8 @@ std::string levels_html(const Results& results, const PageParts& parts) {
   return html_paragraph(
              "Pairs of videos that differ in the level of one factor only, such as two actors "
              "showing the same emotion: within-participant differences, first minus second.") +
-         parts.figures("levels") +
-         "<details><summary>Video by video (actors: as figure 38 of the emotion "
-         "thesis)</summary>\n" +
-         videos + "</details>\n";
+         parts.figures("levels") + "<details><summary>Video by video</summary>\n" + videos +
+         "</details>\n";
 }
 
 std::string groups_part(const Results& results, const PageParts& parts) {
