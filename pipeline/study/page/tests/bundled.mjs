@@ -1,9 +1,13 @@
 // Modules of the pages for Node.js.
+import { webcrypto } from "node:crypto";
 import { build } from "esbuild";
 import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+
+// Browsers have it, and so does Node.js from version 19 on; Debian 12 has 18.
+globalThis.crypto ??= webcrypto;
 
 const source = join(dirname(dirname(fileURLToPath(import.meta.url))), "src");
 
