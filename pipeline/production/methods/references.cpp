@@ -204,7 +204,7 @@ constexpr Reference references[] = {
   doi = {10.1038/s41598-019-57204-1})"},
     {"mariooryad2015", "Mariooryad and Busso 2015",
      R"(  author = {Mariooryad, Soroosh and Busso, Carlos},
-  title = {Correcting Time-Continuous Emotional Labels by Modeling the Reaction Lag of Annotators},
+  title = {Correcting Time-Continuous Emotional Labels by Modeling the Reaction Lag of Evaluators},
   journal = {IEEE Transactions on Affective Computing},
   volume = {6},
   number = {2},
