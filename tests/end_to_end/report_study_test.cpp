@@ -65,6 +65,51 @@ TEST_F(ReportedStudy, GoesFromDesignOverAnswersToTables) {
             std::string::npos);
 }
 
+TEST_F(ReportedStudy, TellsAFileOfAnswersFromAManifest) {
+  const Ended ended = report({folder.write("gaits-answers.db", "SQLite format 3").string()});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.errors.find("is the file of answers of a served study; save answers.csv"),
+            std::string::npos)
+      << ended.errors;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(ReportedStudy, IsDesignedWithNumbersOfTrialsAndAWarningOfSpreadsForOtherScales) {
+  const std::string plans = (folder.path() / "plans.csv").string();
+  const auto design = [&](const std::string& more, const std::vector<std::string>& words) {
+    std::string text = reported_text;
+    text.replace(text.find("scales: [sad-happy]"), 19, more);
+    std::vector<std::string> all = {
+        "study",     "design", folder.write("other.yaml", text).string(), "-o", plans, "--power",
+        "--studies", "100"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_mien(all);
+  };
+  constexpr char warning[] = "sad-happy goes from 0 to 100, but the standard deviations assumed";
+  const Ended plain = design("scales: [sad-happy]\n  practice: [usual]", {});
+  ASSERT_EQ(plain.code, 0) << plain.errors;
+  EXPECT_NE(plain.output.find("gaits: 6 participants, 3 trials each: 2 analysed, 1 for practice\n"),
+            std::string::npos)
+      << plain.output;
+  EXPECT_EQ(plain.errors.find("standard deviations assumed"), std::string::npos);
+  const std::string grid = "scales: [sad-happy]\n  trials: grid\n  grid: {sets: [[usual, sad]]}";
+  EXPECT_NE(design(grid, {}).errors.find(warning), std::string::npos);
+  EXPECT_EQ(design(grid, {"--spread", "8,8,15"}).errors.find(warning), std::string::npos);
+}
+
+TEST_F(ReportedStudy, IsNotDesignedIfFilmsEndBeforeTheLeadOfContinuousRatings) {
+  std::string text = reported_text;
+  text += "  trials: continuous\n  continuous: {lead: 10}\n";
+  const std::string plans = (folder.path() / "plans.csv").string();
+  const Ended ended =
+      run_mien({"study", "design", folder.write("short.yaml", text).string(), "-o", plans});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.errors.find("short.yaml:7:5: stimuli[0]: the film of \"usual\" lasts"),
+            std::string::npos)
+      << ended.errors;
+  EXPECT_FALSE(fs::exists(plans));
+}
+
 // More participants change none of the earlier plans: it is the same design.
 TEST_F(ReportedStudy, TakesAnswersOfMorePeopleThanWerePlanned) {
   const std::string more = (folder.path() / "more.csv").string();

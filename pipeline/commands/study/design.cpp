@@ -199,7 +199,7 @@ void print_duration(const std::vector<SessionPlan>& plans, const Console& consol
                  "ask fewer scales\n";
 }
 
-/// "46 trials each: 40 analysed, 2 of practice, 4 attention checks"; ranges where sessions differ.
+/// "46 trials each: 40 analysed, 2 for practice, 4 attention checks"; ranges where sessions differ.
 std::string trials_text(const std::vector<SessionPlan>& plans) {
   const auto counted = [&](auto&& is_such) {
     std::ptrdiff_t least = std::ranges::count_if(plans[0].trials, is_such), most = least;

@@ -139,13 +139,13 @@ void describe_traces(MethodsText& out) {
       "leaves out the first {}",
       seconds_text(continuous.lead)));
   const std::string reaction =
-      "Ratings follow what is seen by a reaction lag, for which reports of annotators give one to "
-      "several seconds" +
+      "Continuous ratings lag behind what is seen; for annotators of emotion, delays of 1 to 6 "
+      "seconds have been reported" +
       out.cite({"mariooryad2015"});
   out.say(asked.analysis.lag > 0.0
               ? reaction + fmt::format("; in the analysis, ratings were moved back by {}",
                                        seconds_text(asked.analysis.lag))
-              : reaction + "; it was not taken off in the analysis");
+              : reaction + "; the analysis did not correct for this lag");
 }
 
 /// What is shown and asked in a trial, as a sentence without its full stop.

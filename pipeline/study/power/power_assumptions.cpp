@@ -6,6 +6,7 @@
 
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/power/power_output.h"
+#include "pipeline/study/results/comparisons.h"
 
 namespace mien::pipeline {
 
@@ -29,16 +30,9 @@ std::string effect_text(const PlannedPowerOptions& options) {
 }
 
 std::string correction_text(const AnalysisPlan& plan) {
-  switch (plan.correction) {
-    case TestCorrection::holm:
-      return "corrected by Holm's method within the effects and within the planned contrasts";
-    case TestCorrection::benjamini_hochberg:
-      return "corrected by the method of Benjamini and Hochberg within the effects and within the "
-             "planned contrasts";
-    case TestCorrection::none:
-      break;
-  }
-  return "not corrected for multiple comparisons";
+  if (plan.correction == TestCorrection::none) return "not corrected for multiple comparisons";
+  return fmt::format("corrected within the effects and within the planned contrasts ({})",
+                     name_of(plan.correction));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/json_depth.h"
 #include "pipeline/base/documents/files.h"
@@ -272,7 +273,8 @@ void compare_entries(const std::string& where, const ordered_json& before,
       compare_entries(where + ": " + key, before.contains(key) ? before[key] : ordered_json(),
                       value, differences);
     for (const auto& [key, value] : before.items())
-      if (!after.contains(key)) differences.push_back(where + ": " + key + ": no longer stated");
+      if (!after.contains(key))
+        differences.push_back(where + ": " + motion::excerpt(key) + ": no longer stated");
     return;
   }
   constexpr std::size_t longest = 60;

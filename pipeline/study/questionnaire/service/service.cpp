@@ -303,7 +303,11 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
   return with_record(request, salt(), [&](const PageRecord& consent, const std::string& content) {
     check_record(study_.facts, study_.plans.front(), consent);
     if (is_refusal(consent)) {
-      sessions_.count_refusal(consent);
+      try {
+        sessions_.count_refusal(consent);
+      } catch (const WriteFailure& failure) {  // whoever refuses need not wait for a full disk
+        set_last_failure(failure.what());
+      }
       return http_value({{"kept", consent.name}});
     }
     const std::optional<SessionState> joined = sessions_.join(consent, content);

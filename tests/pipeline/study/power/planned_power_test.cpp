@@ -144,9 +144,10 @@ TEST(PlannedPower, TellsWhatIsAssumed) {
   EXPECT_NE(told[0].find("0.6 points in one test at a time"), std::string::npos);
   EXPECT_NE(told[1].find("participants 1, stimuli 0.25, participants in cells 0, residual 1.2"),
             std::string::npos);
-  EXPECT_EQ(told[2],
-            "300 simulated studies of each size. Tests with α = 0.05; p values corrected by Holm's "
-            "method within the effects and within the planned contrasts.");
+  EXPECT_EQ(
+      told[2],
+      "300 simulated studies of each size. Tests with α = 0.05; p values corrected within the "
+      "effects and within the planned contrasts (Holm).");
   const Plot chart = power_chart("planned", planned_power(manifest, options), 0.8, told);
   const auto canvas = Canvas::svg(chart.width, chart.height);
   chart.draw(*canvas);

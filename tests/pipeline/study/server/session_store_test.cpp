@@ -5,12 +5,12 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "motion/error.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/study/server/full_disk.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -244,21 +244,6 @@ TEST(SessionStore, RefusesFilesOfAnotherKind) {
   EXPECT_THROW(SessionStore(folder.path() / "link.db"), Error);
   EXPECT_THROW(SessionStore(folder.path() / "no" / "folder.db"), Error);
 }
-
-/// Files of this process can grow no more while it lives, as on a disk that is full.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
 
 TEST(SessionStore, SaysThatADiskIsFullKeepsNothingOfItAndGoesOnWhenThereIsRoom) {
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/study/questionnaire/service/served_questionnaire.h"
+#include "pipeline/study/server/full_disk.h"
 
 namespace mien::pipeline {
 namespace {
@@ -72,6 +73,17 @@ TEST_F(Service, GivesNoPlanToThoseWhoOnlyLookOrRefuse) {
   EXPECT_EQ(status().at("participants").at(0).at("state"), "opened");
   agree_to_join("b1");
   EXPECT_EQ(service_.sessions().state(2).session.plan, 0);
+}
+
+TEST_F(Service, LetsThoseWhoRefuseGoWhenTheDiskIsFull) {
+  {
+    const FullDisk full(1);
+    EXPECT_EQ(agree_to_join("b1", "refused").status, 200);
+    EXPECT_EQ(agree_to_join("b2").status, 507);
+    EXPECT_NE(status().at("trouble"), "");
+  }
+  EXPECT_EQ(agree_to_join("b1", "refused").status, 200);
+  EXPECT_EQ(status().at("refused_at_join"), 1);
 }
 
 TEST_F(Service, GivesThePlanOfThoseWhoLeftAgain) {
