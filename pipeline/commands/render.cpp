@@ -21,6 +21,7 @@
 #include "pipeline/manifest/look/look_options.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_dots.h"
+#include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/shot_files.h"
 #include "pipeline/tasks/progress.h"
 #include "render/error.h"
@@ -89,15 +90,10 @@ void write_dots(const scenes::Shot& shot, const fs::path& file) {
 scenes::Shot shot_of(const RenderOptions& options, const RenderPlan& plan, const Console& console) {
   const Output& output = plan.settings.output;
   const RenderedMotions motions = rendered_motions(options, output, console);
-  return scenes::stage(motions.performances, {.set = staged_set(plan.look),
-                                              .figure = plan.look.figure,
-                                              .camera = plan.look.camera,
-                                              .size = output.whole_size(),
-                                              .window = output.window(),
-                                              .pixel_scale = output.scale,
-                                              .in_place = output.in_place,
-                                              .layout = motions.layout,
-                                              .seed = options.seed});
+  scenes::Look look = staged_look(plan.look, output, options.seed);
+  look.in_place = output.in_place;
+  look.layout = motions.layout;
+  return scenes::stage(motions.performances, look);
 }
 
 /// Renders the file with a progress bar. Returns a description of it.

@@ -9,17 +9,9 @@ namespace mien::pipeline {
 namespace {
 
 scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
-  const Output& output = film.output;
-  return {.set = staged_set(film.look),
-          .figure = film.look.figure,
-          .camera = film.look.camera,
-          .role = film_role(film),
-          .size = output.whole_size(),
-          .window = output.window(),
-          .pixel_scale = output.scale,
-          .detail = output.quality == Quality::draft ? scenes::MeshDetail::draft
-                                                     : scenes::MeshDetail::full,
-          .seed = derived_seed(seed, "dots of " + film.id)};
+  scenes::Look look = staged_look(film.look, film.output, derived_seed(seed, "dots of " + film.id));
+  look.role = film_role(film);
+  return look;
 }
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.
@@ -34,6 +26,18 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 }
 
 }  // namespace
+
+scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed) {
+  return {.set = staged_set(look),
+          .figure = look.figure,
+          .camera = look.camera,
+          .size = output.whole_size(),
+          .window = output.window(),
+          .pixel_scale = output.scale,
+          .detail = output.quality == Quality::draft ? scenes::MeshDetail::draft
+                                                     : scenes::MeshDetail::full,
+          .seed = seed};
+}
 
 Role film_role(const Stimulus& stimulus) {
   return stimulus.look.colours == Colours::role ? stimulus.role : Role::neutral;

@@ -20,6 +20,10 @@ struct Framing {
 /// the colours of roles.
 Role film_role(const Stimulus& stimulus);
 
+/// Returns how motions are staged for films with this look and output: everything but role, layout
+/// and whether the figure walks in place. `seed` is that of the figure's random properties.
+scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed);
+
 /// Returns the clip that a stimulus's film shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);
 

@@ -65,6 +65,18 @@ TEST(FilmColours, ShowNoRoleUnlessTheyAreAskedTo) {
   }
 }
 
+TEST(StagedLook, OfADraftHasMannequinsOfHalfTheTriangles) {
+  const auto triangles = [](Quality quality) {
+    Stimulus stimulus = of_role(Role::target, Colours::neutral, scenes::MannequinOptions());
+    stimulus.output.quality = quality;
+    const motion::Clip clip = motion::builtin_examples("walks-10", 4.0).examples[0].clip;
+    const scenes::Shot shot = shot_of(stimulus, motion::repeated(clip, 1), 7, {});
+    return scene_at(shot, 0).solids.meshes.at(0).triangles.size();
+  };
+  EXPECT_LT(triangles(Quality::draft), 0.65 * static_cast<double>(triangles(Quality::standard)));
+  EXPECT_EQ(triangles(Quality::standard), triangles(Quality::reference));
+}
+
 TEST(FilmColours, OfAllManifestsThatComeAlongShowNoRole) {
   int films = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(MIEN_SOURCE_DIR) / "manifests")) {
