@@ -48,15 +48,21 @@ class ContinuousPage : public QuestionnairePage {
     QuestionnairePage::SetUpTestSuite();
     if (!scratch) return;
     manifest = scratch->write("courses.yaml", continuous_text);
-    there = scratch->path() / "courses";
-    must_run(mien_with({"study", "export", manifest.string(), "--out",
-                        (scratch->path() / "out-courses").string(), "-o", there.string()}));
-    told = output_of({(page_tests() / "continuous.mjs").string(), there.string()});
+    there = shared_set_up("continuous page",
+                          [](const fs::path& folder) {
+                            must_run(mien_with({"study", "export", manifest.string(), "--out",
+                                                (folder / "out").string(), "-o",
+                                                (folder / "page").string()}));
+                          }) /
+            "page";
+  }
+
+  static json told_by(const std::string& scenario) {
+    return output_of({(page_tests() / "continuous.mjs").string(), scenario, there.string()});
   }
 
   /// The row of the first trial; checks that the trace is of the whole film and its mean the value.
-  static TraceRow first_row(const char* scenario) {
-    const json& taken = told.at(scenario);
+  static TraceRow first_row(const json& taken) {
     EXPECT_EQ(taken.at("troubles"), json::array());
     const auto rows = rows_in(taken.at("answers").get<std::string>());
     EXPECT_EQ(rows.size(), 2u);
@@ -77,7 +83,6 @@ class ContinuousPage : public QuestionnairePage {
   }
 
   inline static fs::path manifest, there;
-  inline static json told;
 };
 
 TEST_F(ContinuousPage, InterpolatesBetweenTheRefreshesOfTheScreen) {
@@ -86,8 +91,8 @@ TEST_F(ContinuousPage, InterpolatesBetweenTheRefreshesOfTheScreen) {
 }
 
 TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
-  const TraceRow row = first_row("keys");
-  const json& keys = told.at("keys");
+  const json keys = told_by("keys");
+  const TraceRow row = first_row(keys);
   EXPECT_EQ(keys.at("focus"), "marker");
   EXPECT_LT(keys.at("tried").get<double>(), 49.0) << "the marker can be tried before the film";
   EXPECT_NE(keys.at("note").get<std::string>().find("while it plays"), std::string::npos);
@@ -110,20 +115,21 @@ TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
 }
 
 TEST_F(ContinuousPage, TakesTheTraceOfAMouseByTheTimeOfTheFilm) {
-  const TraceRow row = first_row("mouse");
+  const json mouse = told_by("mouse");
+  const TraceRow row = first_row(mouse);
   const std::vector<double> trace = trace_in(row);
-  const double pressed = told.at("mouse").at("pointerdown");
+  const double pressed = mouse.at("pointerdown");
   // A stop of 1.5 s after 0.6 s of the film leaves no samples.
   EXPECT_GT(std::stod(row.at("ended_ms")) - std::stod(row.at("play_start_ms")),
             100.0 * static_cast<double>(trace.size() - 1) + 1000.0);
   for (double time = 0.0; time < pressed - 0.1; time += 0.1)
     EXPECT_EQ(sample_at(trace, time), 50.0) << time;
   EXPECT_NEAR(trace.back(), 80.0, 1.5);
-  EXPECT_NEAR(sample_at(trace, told.at("mouse").at("pointerup").get<double>() + 0.2), 80.0, 1.5);
+  EXPECT_NEAR(sample_at(trace, mouse.at("pointerup").get<double>() + 0.2), 80.0, 1.5);
 }
 
 TEST_F(ContinuousPage, BeginsAnewAfterAReloadAndTellsTheAttempts) {
-  const TraceRow row = first_row("reloaded");
+  const TraceRow row = first_row(told_by("reloaded"));
   EXPECT_EQ(row.at("attempt"), "3");
   EXPECT_EQ(row.at("plays_before"), "2");
   EXPECT_GT(std::stod(row.at("watched_before_ms")), 500.0);
@@ -131,7 +137,7 @@ TEST_F(ContinuousPage, BeginsAnewAfterAReloadAndTellsTheAttempts) {
 }
 
 TEST_F(ContinuousPage, IsAccessibleAndMirrored) {
-  const json& looked = told.at("looked");
+  const json looked = told_by("looked");
   for (const char* when : {"before", "during", "after"})
     EXPECT_EQ(looked.at(when), json::array()) << when;
   // Where one writes to the left, the first end is on the right.
@@ -140,12 +146,13 @@ TEST_F(ContinuousPage, IsAccessibleAndMirrored) {
 }
 
 TEST_F(ContinuousPage, GivesAnswersThatAReportTakes) {
-  std::ofstream(there / "answers.csv") << told.at("mouse").at("answers").get<std::string>();
+  const json mouse = told_by("mouse");
+  const fs::path answers = scratch->write("answers.csv", mouse.at("answers").get<std::string>());
   const fs::path report = scratch->path() / "courses-report";
-  must_run(mien_with({"study", "report", (there / "answers.csv").string(), manifest.string(), "-o",
-                      report.string()}));
+  must_run(
+      mien_with({"study", "report", answers.string(), manifest.string(), "-o", report.string()}));
   const auto means = rows_in(text_of(report / "results/mean_traces.csv"));
-  const auto rows = rows_in(told.at("mouse").at("answers").get<std::string>());
+  const auto rows = rows_in(mouse.at("answers").get<std::string>());
   EXPECT_EQ(means.size(), 2 * trace_in(rows.at(0)).size());
   // On JATOS, results are the same table.
   const json run = played("jatos", there);

@@ -1,5 +1,5 @@
 // Films that are rated while they play, in a real browser.
-//   node continuous.mjs FOLDER
+//   node continuous.mjs SCENARIO FOLDER
 // prints what came of it as JSON; FOLDER holds an exported questionnaire of continuous trials.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -8,7 +8,8 @@ import { desktop, opener, withFiles } from "./opened.mjs";
 import { savedAll } from "./pages.mjs";
 import { openBrowser, take } from "./participant.mjs";
 
-const onDisk = `file://${resolve(process.argv[2])}/index.html`;
+const [name, folder] = process.argv.slice(2);
+const onDisk = `file://${resolve(folder)}/index.html`;
 const browser = await openBrowser();
 const open = opener(browser);
 
@@ -143,8 +144,8 @@ async function looked() {
 }
 
 try {
-  console.log(JSON.stringify({ keys: await byKeys(), mouse: await byMouse(), reloaded: await reloaded(),
-    looked: await looked() }));
+  const scenarios = { keys: byKeys, mouse: byMouse, reloaded, looked };
+  console.log(JSON.stringify(await scenarios[name]()));
 } finally {
   await savedAll();
   await browser.close();
