@@ -1,6 +1,9 @@
 #include "pipeline/production/archive/pack.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -18,6 +21,8 @@
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/verification_text.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/production/archive/bids_stimuli.h"
+#include "pipeline/production/archive/research_crate.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/tasks/progress.h"
 
@@ -31,6 +36,9 @@ constexpr char pack_notes[] =
     "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums beside it for "
     "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same bytes. "
     "The study is verified first, and refused if anything is missing or changed.\n\n"
+    "data/ro-crate-metadata.json describes the study as a research object (RO-Crate); for a crate "
+    "that repositories accept, state --published, --license and --organization. --bids adds "
+    "data/stimuli/, a folder for a BIDS dataset, with copies of the videos.\n\n"
     "Recordings are not packed unless --recordings is given. Those that the manifest marks with "
     "licence: {name: …, share: false} are left out even then, and so are the motion files in "
     "clips/ "
@@ -47,6 +55,7 @@ struct PackOptions {
   BagInfo info;
   bool recordings = false;
   bool restricted = false;
+  bool bids = false;
   bool force = false;
   bool json = false;
 };
@@ -115,7 +124,44 @@ std::string left_out_note(const std::map<std::string, std::string>& paths,
       counted(recordings.left_out_files.size(), "motion file"), fmt::join(licences, ", "));
 }
 
+/// Throws Error unless a date is one of the calendar, as ISO 8601 writes it.
+void require_date(const std::string& text) {
+  int year = 0, month = 0, day = 0, read = 0;
+  const bool is_written =
+      text.size() == 10 &&
+      std::sscanf(text.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &read) == 3 && read == 10;
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!is_written || !date.ok())
+    throw Error({"--published"}, motion::in_quotes(text) + " is not a date",
+                "write the year, month and day, for example 2026-11-30");
+}
+
+/// Adds files that are only in the archive: stimuli of a BIDS dataset, and the crate's metadata,
+/// which describe all others.
+void add_descriptions(const StudyContents& contents, const PackOptions& options,
+                      const BagInfo& info, std::vector<PayloadFile>& payload,
+                      const Console& console) {
+  if (options.bids) {
+    BidsStimuli stimuli = bids_stimuli(contents, payload, info.license);
+    if (stimuli.files.size() == 2)
+      throw Error({contents.folder.string()}, "has no videos for a BIDS dataset",
+                  "omit --bids, or make videos of the kinds mp4, webm or mkv");
+    for (const std::string& path : stimuli.omitted)
+      console.err << fmt::format("{}: {}\n", motion::printable(path),
+                                 "not in stimuli/, which takes one .mp4, .webm and .mkv each");
+    payload.insert(payload.end(), std::make_move_iterator(stimuli.files.begin()),
+                   std::make_move_iterator(stimuli.files.end()));
+    std::ranges::sort(payload, {}, &PayloadFile::path);
+  }
+  const std::string crate = crate_metadata(contents, payload, info);
+  payload.push_back({crate_path, crate.size(), {}, {}, crate});
+  std::ranges::sort(payload, {}, &PayloadFile::path);
+}
+
 int run_pack(const PackOptions& options, const Console& console) {
+  if (!options.info.published.empty()) require_date(options.info.published);
   const StudyContents contents = contents_of(options.study);
   const fs::path archive = options.output.empty() ? contents.study + ".tar.zst" : options.output;
   refuse_archive(contents, archive);
@@ -125,10 +171,11 @@ int run_pack(const PackOptions& options, const Console& console) {
   const Verification verification = verified_or_refused(contents, console);
   RecordingPacking packing{options.recordings, options.restricted};
   if (options.recordings) locate_recordings(contents, packing);
-  const auto [payload, recordings] = packed_study(contents, packing);
+  auto [payload, recordings] = packed_study(contents, packing);
   const std::map<std::string, std::string> omitted = left_out(contents, recordings);
   BagInfo info = options.info;
   info.left_out = left_out_note(omitted, recordings);
+  add_descriptions(contents, options, info, payload, console);
   {
     ProgressBar bar(console.err, console.err_is_terminal);
     pack(contents, payload, info, archive, console.stop,
@@ -159,6 +206,9 @@ int run_pack(const PackOptions& options, const Console& console) {
                                motion::printable(licence));
   console.out << fmt::format("{}: {}, {} files of {}\n", archive.string(),
                              size_text(fs::file_size(archive)), payload.size(), size_text(bytes));
+  if (const std::vector<std::string> lacking = lacking_of_crate(info); !lacking.empty())
+    console.err << fmt::format("before publication, state {}: ro-crate-metadata.json lacks {}\n",
+                               fmt::join(lacking, ", "), lacking.size() == 1 ? "it" : "them");
   return exit_done;
 }
 
@@ -169,7 +219,9 @@ std::vector<CommandOption> info_options(BagInfo& info) {
           option("--contact-email", &info.contact_email, "Contact e-mail address (Contact-Email)"),
           option("--description", &info.description,
                  "Description, instead of the command that made it (External-Description)"),
-          option("--license", &info.license, "Licence, for example CC-BY-4.0 (License)")};
+          option("--license", &info.license, "Licence, for example CC-BY-4.0 (License)"),
+          option("--published", &info.published,
+                 "Date of publication, for example 2026-11-30 (only in ro-crate-metadata.json)")};
 }
 
 }  // namespace
@@ -186,6 +238,8 @@ Command pack_command() {
                    "Pack the recordings, too, except those that must not be shared"),
               flag("--restricted", &options->restricted,
                    "Pack even recordings and motion files that must not be shared"),
+              flag("--bids", &options->bids,
+                   "Add the videos as stimuli of a BIDS dataset, with their descriptions"),
               flag("--force", &options->force, "Replace an existing archive"),
               info_options(options->info),
               flag("--json", &options->json, "List of packed files as JSON on standard output")),

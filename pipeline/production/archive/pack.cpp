@@ -164,11 +164,9 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents) {
     if (record.frames > 0) payload.add_frames(record.path);
   }
   payload.add_below("");
-  std::set<std::string> recordings = {packed_recordings_path};
-  for (const RecordingRecord& recording : contents.recordings)
-    recordings.insert(std::string(packed_recordings_folder) + "/" + recording.path);
   std::vector<PayloadFile> files = payload.take();
-  std::erase_if(files, [&](const PayloadFile& file) { return recordings.contains(file.path); });
+  std::erase_if(files,
+                [&](const PayloadFile& file) { return is_only_in_archive(contents, file.path); });
   return files;
 }
 

@@ -52,6 +52,7 @@ struct BagInfo {
   std::string description;    ///< External-Description; if empty, the command that made the study
   std::string license;        ///< License (not a label of the RFC)
   std::string left_out;       ///< Left-Out (not a label of the RFC): what is not in the archive
+  std::string published;      ///< date of publication, 2026-11-30; not in bag-info.txt
 };
 
 /// Return the contents of bagit.txt and bag-info.txt, which lie next to data/ in a bag of version
@@ -64,9 +65,9 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
 /// returns and % are encoded as %0A, %0D and %25, as the RFC requires.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Returns all files in a study's folder except bookkeeping and the recordings of an archive from
-/// which it was unpacked, sorted by path. Frame sequences may be
-/// links to folders. Throws Error for anything else that is neither a file nor a folder.
+/// Returns all files in a study's folder except bookkeeping and what was added by an archive from
+/// which it was unpacked (is_only_in_archive), sorted by path. Frame sequences may be links to
+/// folders. Throws Error for anything else that is neither a file nor a folder.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 
 /// Writes a study as a bag (BagIt, RFC 8493) into a tar archive, in a folder with the study's name:

@@ -119,6 +119,16 @@ StudyContents contents_of(const fs::path& study) {
   return contents;
 }
 
+bool is_only_in_archive(const StudyContents& contents, const std::string& path) {
+  if (path == packed_recordings_path || path == crate_path) return true;
+  const std::string recordings = std::string(packed_recordings_folder) + "/";
+  if (path.starts_with(recordings))
+    return contents.find_recording(path.substr(recordings.size())) != nullptr;
+  std::error_code unknown;
+  return path.starts_with(std::string(bids_folder) + "/") &&
+         fs::exists(contents.folder / crate_path, unknown);
+}
+
 bool is_bookkeeping(const std::string& path) {
   const std::string first = path.substr(0, path.find('/'));
   return first == ".mien" || first == "farm";

@@ -10,6 +10,11 @@
 
 namespace mien::pipeline {
 
+/// Name of the file that describes a packed study as a research object (research_crate.h), and of
+/// the folder of a packed study that can be copied into a BIDS dataset (bids_stimuli.h).
+inline constexpr char crate_path[] = "ro-crate-metadata.json";
+inline constexpr char bids_folder[] = "stimuli";
+
 /// A file or frame sequence of a study, as recorded in the study's provenance.
 struct ArtifactRecord {
   std::string path;  ///< relative to the study's folder, with '/'
@@ -59,6 +64,10 @@ StudyContents contents_of(const std::filesystem::path& study);
 /// Returns the study's folder, given the folder itself, its provenance.json, or a bag that contains
 /// it.
 std::filesystem::path study_folder_of(const std::filesystem::path& study);
+
+/// Whether a path of an unpacked study was written by mien pack, not by mien run: a packed
+/// recording or the list of them, the description of the archive or a stimulus for BIDS.
+bool is_only_in_archive(const StudyContents& contents, const std::string& path);
 
 /// Whether a path belongs to bookkeeping and not to the study: the files of the store and the farm.
 bool is_bookkeeping(const std::string& path);

@@ -31,9 +31,7 @@ std::string place_of(const RecordingRecord& recording) {
 }
 
 std::set<std::string> known_paths(const StudyContents& contents) {
-  std::set<std::string> known = {"provenance.json", not_kept_path, packed_recordings_path,
-                                 contents.as_run};
-  for (const RecordingRecord& recording : contents.recordings) known.insert(place_of(recording));
+  std::set<std::string> known = {"provenance.json", not_kept_path, contents.as_run};
   for (const ArtifactRecord& record : contents.artifacts) known.insert(record.path);
   for (const ArtifactRecord& record : contents.inputs) known.insert(record.path);
   // Of no graph at all, everything that has a receipt is stale.
@@ -52,7 +50,7 @@ std::vector<std::string> extra_files(const StudyContents& contents) {
        entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string path = entry->path().lexically_relative(contents.folder).generic_string();
     const bool is_folder = entry->is_directory(unknown) && !entry->is_symlink(unknown);
-    if (is_bookkeeping(path) || known.contains(path)) {
+    if (is_bookkeeping(path) || known.contains(path) || is_only_in_archive(contents, path)) {
       if (is_folder) entry.disable_recursion_pending();
     } else if (!is_folder) {
       extra.push_back(path);
