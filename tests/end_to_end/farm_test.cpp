@@ -92,7 +92,14 @@ class FarmOnSlurm : public Farm {
 };
 
 TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
-  const Ended submitted = farm({"submit"}, {"--chunk", "4"});
+  const Ended refused = farm({"submit"}, {"--program", (scratch.path() / "none").string()});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.errors.find("is not a program"), std::string::npos) << refused.errors;
+  // As where nodes have no mien: a script starts it, as one would in a container.
+  const fs::path used = scratch.path() / "used";
+  const fs::path program = stand_in("echo \"$SLURMD_NODENAME\" >>'" + used.string() + "'; exec '" +
+                                    MIEN_PROGRAM + "' \"$@\"");
+  const Ended submitted = farm({"submit"}, {"--chunk", "4", "--program", program.string()});
   ASSERT_EQ(submitted.code, 0) << submitted.errors;
   EXPECT_NE(submitted.output.find("2-frames"), std::string::npos);
   EXPECT_TRUE(status()["active"]);
@@ -103,6 +110,7 @@ TEST_F(FarmOnSlurm, MakesAStudyAndKnowsIt) {
 
   ASSERT_TRUE(cluster->wait_until_empty(120.0));
   EXPECT_TRUE(status()["complete"]) << farm({"logs"}).output;
+  EXPECT_NE(text_of(used).find("n1\n"), std::string::npos);
   EXPECT_NE(farm({"submit"}).output.find("nothing to do"), std::string::npos);
   EXPECT_NE(farm({"resume"}).output.find("nothing to do"), std::string::npos);
 }

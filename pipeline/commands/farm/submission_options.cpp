@@ -6,9 +6,11 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "motion/error.h"
 #include "motion/text/as_number.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/farm/film_lengths.h"
 #include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/jobs/worker_reports.h"
@@ -71,6 +73,16 @@ void note_longer_elements(const FittingSubmission& fitting, const Chunking& requ
               << ", because Slurm accepts no more jobs here (MaxJobCount)\n";
 }
 
+/// The absolute path of a program. Throws Error if the file cannot be executed.
+std::string executable(const std::string& file) {
+  const std::filesystem::path path = absolute_path(file);
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown) || ::access(path.c_str(), X_OK) != 0)
+    throw Error({"--program"}, motion::in_quotes(file) + " is not a program that can be executed",
+                "name the program as the nodes see it, in a folder that this machine sees, too");
+  return path.string();
+}
+
 std::string element_count_text(int elements) {
   return elements == 0 ? "the rest"
                        : fmt::format("{} element{}", elements, elements == 1 ? "" : "s");
@@ -97,7 +109,10 @@ std::vector<CommandOption> submission_options(SubmissionOptions& options) {
           .between(1, 1'000'000),
       option("--jobs,-j", &options.jobs,
              "Processors per array task (default: 1; when resuming, as in the last submission)")
-          .between(1, 1024)};
+          .between(1, 1024),
+      option("--program", &options.program,
+             "Program that the nodes run instead of this one: mien of the same version in a shared "
+             "folder, or a script that starts it in a container")};
 }
 
 const JournalSubmission* last_accepted(const JournalContent& journal) {
@@ -131,6 +146,7 @@ JournalSubmission requested_submission(const SubmissionOptions& options,
   take(options.account, request.account);
   request.array_limit = options.array_limit.value_or(request.array_limit);
   request.processors = options.jobs.value_or(request.processors);
+  if (!options.program.empty()) request.program = executable(options.program);
   if (!options.chunk.empty()) earlier.chunk_frames = chunk_frames(options.chunk);
   earlier.when = utc_now();
   return earlier;

@@ -22,6 +22,7 @@ struct SubmissionOptions {
   std::string account;
   std::optional<int> array_limit;
   std::optional<int> jobs;
+  std::string program;
 };
 
 std::vector<CommandOption> submission_options(SubmissionOptions& options);

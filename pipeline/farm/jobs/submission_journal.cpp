@@ -28,7 +28,8 @@ JobRequest request_in(const ordered_json& entry) {
           .memory = entry.value("mem", ""),
           .account = entry.value("account", ""),
           .array_limit = entry.value("array_limit", 0),
-          .processors = entry.value("jobs", 1)};
+          .processors = entry.value("jobs", 1),
+          .program = entry.value("program", "")};
 }
 
 /// The last job with that comment; comments are unique within a study.
@@ -55,7 +56,8 @@ std::string line_of(const JournalSubmission& submission) {
                       {"mem", request.memory},
                       {"account", request.account},
                       {"array_limit", request.array_limit},
-                      {"jobs", request.processors}}
+                      {"jobs", request.processors},
+                      {"program", request.program}}
       .dump();
 }
 

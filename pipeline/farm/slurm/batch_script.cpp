@@ -59,11 +59,12 @@ std::string options(const BatchJob& job, const StudyCall& call, const JobRequest
          line("kill-on-invalid-dep=yes");
 }
 
-std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& call) {
+std::string paths(const BatchJob& job, const fs::path& folder, const StudyCall& call,
+                  const std::string& program) {
   std::string text = fmt::format(
       "\nmien={}\nmanifest={}\nout={}\nfolder={}\nstarted={}\n"
       "patience={}  # seconds that the job waits for a folder that is full, read-only or away\n\n",
-      in_single_quotes(call.program.string()), in_single_quotes(call.manifest.string()),
+      in_single_quotes(program), in_single_quotes(call.manifest.string()),
       in_single_quotes(call.out.string()), in_single_quotes(folder.string()),
       in_single_quotes(call.started.string()), folder_wait_limit_seconds);
   if (job.elements > 0) {
@@ -175,12 +176,13 @@ void refuse_unwritable(const fs::path& path) {
 
 std::string batch_script(const BatchJob& job, const fs::path& folder, const StudyCall& call,
                          const JobRequest& request, const SlurmSite& site) {
-  for (const fs::path& path : {folder, call.program, call.manifest, call.out, call.started}) {
+  const fs::path program = request.program.empty() ? call.program : fs::path(request.program);
+  for (const fs::path& path : {folder, program, call.manifest, call.out, call.started}) {
     refuse_unwritable(path);
   }
   const int stopped = job.elements > 0 ? worker_transient : stopped_run;
   return "#!/bin/bash\n" + introduction(job, call) + options(job, call, request) +
-         paths(job, folder, call) + job_attempts(call_text(job, call, request), stopped) +
+         paths(job, folder, call, program.string()) + job_attempts(call_text(job, call, request), stopped) +
          ending(job, site);
 }
 

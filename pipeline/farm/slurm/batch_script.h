@@ -16,6 +16,7 @@ struct JobRequest {
   std::string account;
   int array_limit = 0;  ///< maximum number of elements of an array running at once
   int processors = 1;   ///< per element
+  std::string program;  ///< absolute path of what nodes run; empty: the program that submits
 };
 
 /// The program and the study of a job. All paths are absolute.

@@ -321,6 +321,16 @@ TEST_F(BatchScript, AsksForWhatTheOperatorAsksFor) {
   }
 }
 
+TEST_F(BatchScript, StartsTheProgramThatTheOperatorNames) {
+  const fs::path other = root / "mien of all nodes";
+  std::ofstream(other) << "#!/bin/sh\necho \"other $1\" > "
+                       << motion::in_single_quotes((root / "said").string()) << "\n";
+  fs::permissions(other, fs::perms::owner_all);
+  request.program = other.string();
+  EXPECT_EQ(run_element(3).code, 0);
+  EXPECT_EQ(contents(root / "said"), "other farm\n");
+}
+
 TEST_F(BatchScript, RefusesPathsThatNoBatchFileCanName) {
   for (const char* name : {"a\nb", "a\\b", "a\tb"}) {
     call.out = fs::path("/studies") / name;
