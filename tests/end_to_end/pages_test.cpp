@@ -35,6 +35,7 @@ struct NotRun {
 const std::vector<NotRun> not_run = {
     {"./mien test", "the launcher's, not the program's: it would run this test again"},
     {"./mien package", "the launcher's: it builds"},
+    {"./mien tarball", "the launcher's: it builds"},
     {"./mien docs", "the launcher's: it needs Sphinx"},
     {"./mien study export", "needs pages, which Node.js builds (questionnaire_page_test.cpp)"},
     {"./mien studio", "serves until it is told to end (studio_page_test.cpp)"},
