@@ -488,8 +488,15 @@ TEST_F(QuestionnairePage, PlaysByTheSpaceKeyAndChoosesByDigitsWhereverTheFocusIs
   EXPECT_EQ(keys.at("is_there"), 2);
   EXPECT_EQ(keys.at("replayed"), 1);
   EXPECT_EQ(keys.at("chosen"), 0);
-  EXPECT_TRUE(keys.at("back"));  // among the answers, once it has been replayed
+  EXPECT_TRUE(keys.at("back"));  // at the question, once it has been replayed
   EXPECT_EQ(keys.at("by_digit"), "2");
+  const json& entered = keys.at("entered");
+  EXPECT_NE(entered.at("note").get<std::string>().find("missing"), std::string::npos);
+  EXPECT_TRUE(entered.at("is_at_group"));
+  EXPECT_EQ(entered.at("chosen"), 0) << "Enter chooses nothing";
+  EXPECT_EQ(entered.at("by_space"), 1) << "at the answer that the participant went to";
+  EXPECT_EQ(entered.at("replayed"), 1) << "at an answer that is chosen, Space plays again";
+  EXPECT_EQ(entered.at("by_arrow"), (json{"5", "1"}));
   EXPECT_NE(keys.at("desktop_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("touched_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("troubles"), json::array());

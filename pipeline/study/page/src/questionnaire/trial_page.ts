@@ -118,6 +118,8 @@ class TrialAtWork {
     if (this.stage?.isWatched()) this.open();
     else if (this.stage) this.lock();
     else this.open();
+    if (film) this.next.setAttribute("aria-disabled", "true");  // until the film has been rated
+    film?.onBegin(() => { this.note.textContent = ""; });
     // Its buttons can have the focus once the films are loaded.
     grid?.onChange(() => {
       if (!page.contains(document.activeElement)) this.focusMissing();
@@ -184,6 +186,7 @@ class TrialAtWork {
 
   private ended(): void {
     this.open();
+    this.next.removeAttribute("aria-disabled");
     // The marker has the focus, and can no longer be moved.
     if (this.trial.kind === "continuous") return this.focusMissing();
     // While it was replayed, the button that had the focus was hidden.
@@ -209,7 +212,7 @@ class TrialAtWork {
 
   private sayMissing(missing: Asked[]): void {
     const { trial, around } = this;
-    this.note.textContent = kindOf(trial).missingText?.(missing, around.texts)
+    this.note.textContent = kindOf(trial).missingText?.(missing, around.texts, this.stage)
       ?? around.texts.missing({ count: missing.length });
     for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
   }
@@ -220,9 +223,9 @@ class TrialAtWork {
   }
 
   /**
-   * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing. Digits
-   * choose an answer to the first question without one, wherever the focus is; in a grid, they play the films. Enter
-   * confirms.
+   * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing, unless
+   * the participant went to an answer. Digits choose an answer to the first question without one, wherever the focus is;
+   * in a grid, they play the films. Enter says what is missing, or goes to the button that confirms; it never chooses.
    */
   private pressed = (event: KeyboardEvent): void => {
     if (document.querySelector("dialog[open]")) return;
@@ -230,8 +233,9 @@ class TrialAtWork {
     const writes = at instanceof HTMLTextAreaElement ||
       (at instanceof HTMLInputElement && at.type === "text");
     const isButton = at instanceof HTMLButtonElement;
+    const isChoice = at instanceof HTMLInputElement && at.type === "radio" && !at.checked;
     const isModified = event.ctrlKey || event.altKey || event.metaKey;
-    if (event.key === " " && this.stage && !isButton && !writes) {
+    if (event.key === " " && this.stage && !isButton && !writes && !isChoice) {
       event.preventDefault();
       this.stage.play();
     } else if (/^[1-9]$/.test(event.key) && !isModified && this.isOpen && !writes &&
@@ -241,7 +245,8 @@ class TrialAtWork {
       else first?.root.dispatchEvent(new KeyboardEvent("keydown", { key: event.key }));
     } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
-      if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();
+      if (event.repeat) return;
+      if (isChoice || at.matches("fieldset.asked")) this.sayMissing(this.missing());
       this.focusMissing();
     }
   };

@@ -539,26 +539,52 @@ async function singleKeys() {
   let chosen = null;
   let back = null;
   let byDigit = null;
-  await take(page, { each: async (sight, number) => {
-    if (sight !== "trial" || number !== 1 || replayed !== null) return false;
-    await page.locator(".play").click();
+  let entered = {};
+  const afterReload = async () => {
     await page.waitForFunction(() => !document.querySelector(".answers").inert);
-    await page.waitForFunction(() => document.activeElement.matches('input[type="radio"]'));
-    await page.keyboard.press("Space");
-    replayed = await page.locator(".stage.playing").count();
-    chosen = await page.locator("fieldset.asked input:checked").count();
-    await page.waitForFunction(() => !document.querySelector(".stage.playing"));
-    back = await page.evaluate(() => document.activeElement.matches('input[type="radio"]'));
+    const valueOf = (place) => page.locator("fieldset.asked").nth(place).locator("input:checked").getAttribute("value");
+    await page.keyboard.press("ArrowLeft");
+    entered.by_arrow = [await valueOf(0)];
+    await page.keyboard.press("ArrowRight");
+    entered.by_arrow.push(await valueOf(0));
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press("2");
-    byDigit = await page.locator("fieldset.asked").first().locator("input:checked").getAttribute("value");
+    byDigit = await valueOf(1);
+    await page.reload();
+    return true;
+  };
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 1 || byDigit !== null) return false;
+    if (replayed !== null) return afterReload();
+    await page.locator(".play").click();
+    await page.waitForFunction(() => !document.querySelector(".answers").inert);
+    const isAtGroup = () => page.evaluate(() => document.activeElement.matches("fieldset.asked"));
+    const countChosen = () => page.locator("fieldset.asked input:checked").count();
+    await page.waitForFunction(() => document.activeElement.matches("fieldset.asked"));
+    await page.keyboard.press("Space");
+    replayed = await page.locator(".stage.playing").count();
+    chosen = await countChosen();
+    await page.waitForFunction(() => !document.querySelector(".stage.playing"));
+    back = await isAtGroup();
+    // Enter chooses nothing, at the question or at an answer, and says what is missing.
+    await page.keyboard.press("Enter");
+    entered = { note: await page.locator(".answers .note").textContent(), is_at_group: await isAtGroup() };
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    entered.chosen = await countChosen();
+    // Space chooses the answer that the participant went to; the page is loaded again before the last step.
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Space");
+    entered.by_space = await countChosen();
+    await page.keyboard.press("Space");
+    entered.replayed = await page.locator(".stage.playing").count();
     await page.reload();
     return true;
   } });
   const touched = await open(`${onDisk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
   await touched.page.locator(".page .buttons .main").click();
   await touched.page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
-  return { shown, is_there: isThere, replayed, chosen, back, by_digit: byDigit,
+  return { shown, is_there: isThere, replayed, chosen, back, entered, by_digit: byDigit,
     desktop_text: desktopText,
     touched_text: await touched.page.locator("main").innerText(), troubles };
 }
@@ -691,9 +717,8 @@ async function languages() {
   const points = (await start(server, "ar-EG")).page;
   await takeToTrial(points);
   const inputs = points.locator("fieldset.asked").first().locator("input");
-  await inputs.first().focus();
-  await points.keyboard.press("Enter");
-  for (let step = 0; step < 2; step += 1) await points.keyboard.press("ArrowLeft");
+  await points.locator("fieldset.asked").first().focus();
+  for (let step = 0; step < 3; step += 1) await points.keyboard.press("ArrowLeft");
   const checked = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
   await points.keyboard.press("ArrowRight");
   const back = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
