@@ -478,6 +478,12 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   // Neither the phone nor who refused has taken a plan.
   EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
   EXPECT_EQ(run.at("states"), (json{"done", "done", "waiting", "done"}));
+  const json& monitored = run.at("monitored");
+  EXPECT_EQ(monitored.at("rows"), (json{"p001", "p002", "p004"}));
+  EXPECT_EQ(monitored.at("unopened"), "List 1 personal link that nobody has opened");
+  EXPECT_EQ(monitored.at("all"), (json{"p003", "p001", "p002", "p004"}));
+  EXPECT_EQ(monitored.at("states"), (json{"personal link not opened", "done", "done", "done"}));
+  EXPECT_EQ(monitored.at("hide"), "Hide 1 personal link that nobody has opened");
   EXPECT_EQ(run.at("path").get<std::string>().substr(0, 3), "/s/");
   EXPECT_EQ(run.at("troubles"), json::array());
 }

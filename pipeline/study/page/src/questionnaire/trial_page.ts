@@ -47,12 +47,22 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   return first ? [shown(first, "alone")] : [];
 }
 
-/** The width that the longest word of the ends of scales needs, in its font's size; Chinese and Japanese break
+/** The letters of the longest word, or part of a word between soft hyphens, in these elements; Chinese and Japanese break
     anywhere. */
-function poleWidth(rows: HTMLElement): number {
-  const words = [...rows.querySelectorAll(".pole")].flatMap((pole) => (pole.textContent ?? "").split(/[\s/-]+/));
+function longestWord(elements: Iterable<Element>): number {
+  const words = [...elements].flatMap(({ textContent }) => (textContent ?? "").split(/[\s/\u00ad-]+/));
   const broken = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}]/u;
-  return 0.65 * Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+  return Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+}
+
+/** The width that the longest word of the ends of scales needs, in its font's size. */
+const poleWidth = (rows: HTMLElement): number => 0.65 * longestWord(rows.querySelectorAll(".pole"));
+
+/** The width that answers need for no word below the points of a scale to be broken. */
+function widthOfPoints(rows: HTMLElement): string {
+  const scales = [...rows.querySelectorAll(".scale.dense")];
+  const points = Math.max(0, ...scales.map((scale) => scale.querySelectorAll(".choice-note").length));
+  return `calc(${points} * (${longestWord(rows.querySelectorAll(".choice-note"))} * 0.4rem + 12px) + 3.4rem)`;
 }
 
 /** One trial: stimuli, answers, a comment; done when all is answered. */
@@ -109,6 +119,7 @@ class TrialAtWork {
       ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
     rows.style.setProperty("--pole", `${poleWidth(rows)}em`);
+    page.style.setProperty("--points", widthOfPoints(rows));
     for (const legend of rows.querySelectorAll("legend"))
       if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);

@@ -305,8 +305,17 @@ async function laboratory() {
   await take(joined.page);
   told.joined = await text(joined.page);
   const after = await lab();
-  const troubles = [mouse, keys, sentAway, refusing, joined].flatMap((one) => one.troubles);
-  return { ...told, reloads, troubles, path: new URL(joined.page.url()).pathname,
+  // The experimenter's page: nobody is missing because people come by the link of all.
+  const monitor = await open(status.replace(/status\.json$/, ""));
+  await monitor.page.waitForSelector("#participants tr");
+  const listed = () => monitor.page.locator("#participants th").allTextContents();
+  const monitored = { rows: await listed(), unopened: await monitor.page.locator("#unopened").textContent() };
+  await monitor.page.locator("#unopened").click();
+  monitored.all = await listed();
+  monitored.states = await monitor.page.locator("#participants .state").allTextContents();
+  monitored.hide = await monitor.page.locator("#unopened").textContent();
+  const troubles = [mouse, keys, sentAway, refusing, joined, monitor].flatMap((one) => one.troubles);
+  return { ...told, reloads, troubles, monitored, path: new URL(joined.page.url()).pathname,
     participants: [before.length, between.length, after.length], states: after.map(({ state }) => state) };
 }
 
