@@ -532,6 +532,12 @@ TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
   EXPECT_EQ(suggested.at("faults"), json::array());
 }
 
+TEST_F(QuestionnairePage, BreaksNoWordBelowThePointsOfAScale) {
+  const json broken = played("points");
+  EXPECT_EQ(broken.size(), 18u);
+  for (const auto& [where, words] : broken.items()) EXPECT_EQ(words, json::array()) << where;
+}
+
 TEST_F(QuestionnairePage, IsInTheLanguageThatTheBrowserPrefersAndMirroredInArabic) {
   const json told = played("languages");
   EXPECT_EQ(

@@ -150,7 +150,7 @@ export function showEnding(
   if (isTakenElsewhere(experiment)) {
     const again = button(texts.saveAgain, () => files.forEach((file, index) => setTimeout(file.save, 300 * index)));
     return show(texts.thanks, [...ownEnding(experiment, texts), texts.finishedSend],
-      element("ul", { class: "files" }, ...files.map(({ name }) => element("li", {}, element("code", {}, name)))),
+      element("ul", { class: "files" }, ...files.map(({ name }) => element("li", {}, element("code", { dir: "ltr" }, name)))),
       element("div", { class: "buttons column" }, again), ...back, code);
   }
   const again = files.map((file) => button(texts.saveFile({ name: file.name }), file.save));

@@ -62,7 +62,7 @@ const poleWidth = (rows: HTMLElement): number => 0.65 * longestWord(rows.querySe
 function widthOfPoints(rows: HTMLElement): string {
   const scales = [...rows.querySelectorAll(".scale.dense")];
   const points = Math.max(0, ...scales.map((scale) => scale.querySelectorAll(".choice-note").length));
-  return `calc(${points} * (${longestWord(rows.querySelectorAll(".choice-note"))} * 0.4rem + 12px) + 3.4rem)`;
+  return `calc(${points} * (${longestWord(rows.querySelectorAll(".choice-note"))} * 0.46rem + 12px) + 3.4rem)`;
 }
 
 /** One trial: stimuli, answers, a comment; done when all is answered. */
@@ -130,7 +130,10 @@ class TrialAtWork {
     else if (this.stage) this.lock();
     else this.open();
     if (film) this.next.setAttribute("aria-disabled", "true");  // until the film has been rated
-    film?.onBegin(() => { this.note.textContent = ""; });
+    film?.onBegin(() => {
+      this.note.textContent = "";
+      for (const { root } of this.asked) root.classList.remove("missing");
+    });
     // Its buttons can have the focus once the films are loaded.
     grid?.onChange(() => {
       if (!page.contains(document.activeElement)) this.focusMissing();

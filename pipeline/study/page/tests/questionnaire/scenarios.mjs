@@ -686,6 +686,38 @@ async function crowded() {
   return { foot: Math.round(foot.y + foot.height), suggested, ...sizes };
 }
 
+/** Words below seven points of a scale that are broken, where the language does not break them, by language and width. */
+async function points() {
+  const files = await filesOf(folder);
+  const broken = {};
+  for (const language of ["ar", "de", "en", "es", "fi", "fr"]) {
+    const experiment = JSON.parse(files["/experiment.json"]);
+    experiment.language = language;
+    experiment.settings.phones = "served";
+    for (const item of Object.values(experiment.items)) item.points = 7;
+    for (const session of experiment.sessions)
+      session.trials = session.trials.filter(({ kind }) => kind === "rating").slice(0, 1)
+        .map((trial) => ({ ...trial, reference: "", number: 1, items: trial.items.slice(0, 3) }));
+    const server = await serve({ ...files,
+      "/experiment.js": Buffer.from(`globalThis.mienExperiment = ${JSON.stringify(experiment)};`) });
+    const { page } = await open(`${server.base}/index.html?participant=p001`, { viewport: { width: 1024, height: 700 } });
+    await takeToTrial(page);
+    for (const [width, height] of [[1280, 800], [1024, 700], [390, 844]]) {
+      await page.setViewportSize({ width, height });
+      broken[`${language} ${width}`] = await page.evaluate(() => [...document.querySelectorAll(".choice-note")].flatMap((note) => {
+        const range = document.createRange();
+        return [...note.textContent.matchAll(/[^\s\u00ad]+/gu)].filter(({ index, 0: word }) => {
+          range.setStart(note.firstChild, index);
+          range.setEnd(note.firstChild, index + word.length);
+          return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
+        }).map(([word]) => word);
+      }));
+    }
+    server.close();
+  }
+  return broken;
+}
+
 /** Until the answers of a first trial are open. */
 async function takeToTrial(page) {
   let isThere = false;
@@ -827,7 +859,7 @@ const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.jso
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
-  thanks_again: thanksAgain, crowded, heard, languages, set, grid };
+  thanks_again: thanksAgain, crowded, heard, languages, points, set, grid };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);
