@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -79,60 +80,63 @@ void expect_traced(const json& taken, const std::string& agent) {
   }
 }
 
-class OtherBrowsers : public QuestionnairePage {
- protected:
-  static fs::path packages() { return page_tests() / "../../../browsers"; }
+fs::path packages() { return page_tests() / "../../../browsers"; }
 
-  static std::string firefox() {
-    return fs::exists(packages() / "node_modules/puppeteer-core")
-               ? program_among({"firefox-esr", "firefox"})
-               : "";
-  }
-  static std::string webkit() {
-    const bool is_driven = !program_among({"WebKitWebDriver"}).empty() &&
-                           !program_among({"xvfb-run"}).empty() &&
-                           fs::exists(packages() / "node_modules/selenium-webdriver");
-    return is_driven ? mini_browser() : "";
-  }
+/// Empty if it cannot be driven.
+std::string firefox() {
+  return fs::exists(packages() / "node_modules/puppeteer-core")
+             ? program_among({"firefox-esr", "firefox"})
+             : "";
+}
+std::string webkit() {
+  const bool is_driven = !program_among({"WebKitWebDriver"}).empty() &&
+                         !program_among({"xvfb-run"}).empty() &&
+                         fs::exists(packages() / "node_modules/selenium-webdriver");
+  return is_driven ? mini_browser() : "";
+}
 
-  static json taken(const char* browser, const std::string& program, const fs::path& there) {
-    return output_of({(page_tests() / "other_browsers.mjs").string(), browser, there.string(),
-                      packages().string(), program});
-  }
+/// A script by which somebody takes the questionnaire in a folder.
+std::vector<std::string> script(const char* browser, const std::string& program,
+                                const fs::path& folder) {
+  return {(page_tests() / "other_browsers.mjs").string(), browser, folder.string(),
+          packages().string(), program};
+}
 
-  static fs::path continuous() {
-    const fs::path there = scratch->path() / "traces";
-    if (fs::exists(there)) return there;
-    const fs::path manifest = scratch->write("traces.yaml", continuous_study_text);
-    must_run(mien_with({"study", "export", manifest.string(), "--out",
-                        (scratch->path() / "out-traces").string(), "-o", there.string()}));
-    return there;
-  }
-};
+/// Exports the questionnaire of films that are rated while they play.
+fs::path exported_traces(const fs::path& scratch) {
+  const fs::path there = scratch / "traces";
+  if (fs::exists(there)) return there;
+  std::ofstream(scratch / "traces.yaml") << continuous_study_text;
+  must_run(mien_with({"study", "export", (scratch / "traces.yaml").string(), "--out",
+                      (scratch / "out-traces").string(), "-o", there.string()}));
+  return there;
+}
 
 constexpr char no_firefox[] =
     "no Firefox here, or nothing that drives it: ./mien test --all brings both";
 constexpr char no_webkit[] =
     "no WebKitGTK here, or nothing that drives it: ./mien test --all brings both";
 
-TEST_F(OtherBrowsers, TakeAQuestionnaireInFirefox) {
+TEST_F(QuestionnairePage, IsTakenInFirefox) {
   if (firefox().empty()) GTEST_SKIP() << no_firefox;
-  expect_taken(taken("firefox", firefox(), folder()), "Firefox/");
+  expect_taken(output_of(script("firefox", firefox(), folder())), "Firefox/");
 }
 
-TEST_F(OtherBrowsers, TakeAQuestionnaireInWebKit) {
+TEST_F(QuestionnairePage, IsTakenInWebKit) {
   if (webkit().empty()) GTEST_SKIP() << no_webkit;
-  expect_taken(taken("webkit", webkit(), folder()), "AppleWebKit/");
+  expect_taken(output_of(script("webkit", webkit(), folder())), "AppleWebKit/");
 }
 
-TEST_F(OtherBrowsers, RateFilmsWhileTheyPlayInFirefox) {
+TEST_F(QuestionnairePage, TakesTracesInFirefox) {
   if (firefox().empty()) GTEST_SKIP() << no_firefox;
-  expect_traced(taken("firefox", firefox(), continuous()), "Firefox/");
+  expect_traced(output_of(script("firefox", firefox(), exported_traces(scratch->path()))),
+                "Firefox/");
 }
 
-TEST_F(OtherBrowsers, RateFilmsWhileTheyPlayInWebKit) {
+TEST_F(QuestionnairePage, TakesTracesInWebKit) {
   if (webkit().empty()) GTEST_SKIP() << no_webkit;
-  expect_traced(taken("webkit", webkit(), continuous()), "AppleWebKit/");
+  expect_traced(output_of(script("webkit", webkit(), exported_traces(scratch->path()))),
+                "AppleWebKit/");
 }
 
 }  // namespace
