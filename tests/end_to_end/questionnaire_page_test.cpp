@@ -138,6 +138,10 @@ TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
   const json taken = played("calibrated", there);
   EXPECT_EQ(taken.at("troubles"), json::array());
   EXPECT_NEAR(taken.at("card").get<double>(), 400.0, 0.01);
+  EXPECT_TRUE(taken.at("before").at("is_disabled"));
+  EXPECT_NE(taken.at("before").at("why").get<std::string>().find("before you confirm"),
+            std::string::npos);
+  EXPECT_EQ(taken.at("after"), (json{{"is_disabled", false}, {"why", ""}}));
   EXPECT_NE(taken.at("sit").get<std::string>().find("about 50 cm"), std::string::npos);
   EXPECT_NE(taken.at("asked").get<std::string>().find("at least 912"), std::string::npos)
       << taken.at("asked");

@@ -12,11 +12,13 @@ const files = await filesOf(resolve(process.argv[2]));
 const browser = await openBrowser();
 const open = opener(browser);
 
-/** Where `missing` are not found and `broken` are no films: tokens of the first trial, of which [0] is the first film. */
+/** Where `missing` are not found and `broken` are no films: of the token of a film and that of the reference, which is a
+ *  film of the grid, too. */
 async function withFaults(name, faultsOf) {
   const experiment = JSON.parse(files["/experiment.json"]);
   const { media, reference } = experiment.sessions[0].trials[0];
-  const { missing = [], broken = [] } = faultsOf(media, reference);
+  const { missing = [], broken = [] } = faultsOf(media.find((token) => token !== reference), reference);
+  const isFaulty = [...media, reference].map((token) => [...missing, ...broken].includes(token));
   for (const token of broken) experiment.media[token].sha256 = createHash("sha256").update("no video").digest("hex");
   const isOf = (tokens, path) => tokens.some((token) => path === `/${experiment.media[token].file}`);
   const server = await serve({ ...files,
@@ -29,7 +31,7 @@ async function withFaults(name, faultsOf) {
   });
   const opened = await open(`${server.base}/index.html?participant=p001`);
   const { page } = opened;
-  const told = {};
+  const told = { is_faulty: isFaulty };
   await take(page, { each: async (sight) => {
     if (sight === "load") {
       const buttons = page.locator(".page > .button");
@@ -64,9 +66,9 @@ async function withFaults(name, faultsOf) {
 
 try {
   console.log(JSON.stringify({
-    missing: await withFaults("missing", ([, second]) => ({ missing: [second] })),
-    broken: await withFaults("broken", ([first]) => ({ broken: [first] })),
-    both: await withFaults("both", ([first], reference) => ({ broken: [first], missing: [reference] })),
+    missing: await withFaults("missing", (film) => ({ missing: [film] })),
+    broken: await withFaults("broken", (film) => ({ broken: [film] })),
+    both: await withFaults("both", (film, reference) => ({ broken: [film], missing: [reference] })),
   }));
 } finally {
   await savedAll();

@@ -429,7 +429,11 @@ async function calibrated() {
     const { page } = opened;
     await page.locator(".page .buttons .main").click();
     await page.waitForSelector(".calibration");
+    const confirm = async () => ({ is_disabled: await page.locator(".calibration .main").isDisabled(),
+      why: await page.locator(".card-first").textContent() });
+    told.before = await confirm();
     await page.locator(".card-width input").fill("400");
+    told.after = await confirm();
     await page.locator(".card-width button").last().click();
     await page.locator(".card-width button").first().click();
     told.card = await page.locator(".card").evaluate((card) => card.getBoundingClientRect().width);
