@@ -12,23 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr char continuous_text[] = R"(mien: 1
-study: courses
-seed: 7
-examples: {set: builtin:walks-10}
-output: {size: [96, 72], fps: 15, cycles: 3, in_place: true, quality: draft, video: [mp4], frames: none}
-stimuli:
-  - {id: sad, weights: {normal: 0.4, sad: 0.6}}
-questionnaire:
-  participants: 2
-  stimuli: [sad]
-  scales: [sad-happy, weak-strong]
-  trials: continuous
-  continuous: {lead: 0.5, speed: 40}
-  demographics:
-    - {id: age, ask: "How old are you?", answer: number, required: true}
-)";
-
 using TraceRow = std::map<std::string, std::string>;
 
 std::vector<double> trace_in(const TraceRow& row) {
@@ -47,7 +30,7 @@ class ContinuousPage : public QuestionnairePage {
   static void SetUpTestSuite() {
     QuestionnairePage::SetUpTestSuite();
     if (!scratch) return;
-    manifest = scratch->write("courses.yaml", continuous_text);
+    manifest = scratch->write("courses.yaml", continuous_study_text);
     there = shared_set_up("continuous page",
                           [](const fs::path& folder) {
                             must_run(mien_with({"study", "export", manifest.string(), "--out",
@@ -97,6 +80,12 @@ TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
   EXPECT_LT(keys.at("tried").get<double>(), 49.0) << "the marker can be tried before the film";
   EXPECT_NE(keys.at("note").get<std::string>().find("while it plays"), std::string::npos);
   EXPECT_EQ(keys.at("begins_at"), 50);
+  // While the film plays, nothing asks to play it, and nothing can be gone on with.
+  EXPECT_EQ(keys.at("playing"), (json{{"is_disabled", true}, {"note", ""}}));
+  EXPECT_TRUE(keys.at("pressed").at("is_disabled"));
+  EXPECT_NE(keys.at("pressed").at("note").get<std::string>().find("The video is playing"),
+            std::string::npos);
+  EXPECT_EQ(keys.at("over"), (json{{"is_disabled", false}, {"note", ""}}));
   EXPECT_FALSE(keys.at("is_movable"));
   EXPECT_FALSE(keys.at("can_replay"));
   const double pressed = keys.at("keydown"), released = keys.at("keyup");

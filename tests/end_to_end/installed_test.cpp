@@ -301,6 +301,19 @@ TEST(Commands, OfOtherProgramsAreGuessedAndEndAsTheyDo) {
   EXPECT_EQ(run_mien({"studdy"}).errors, "unknown command \"studdy\"; did you mean \"study\"?\n");
   EXPECT_EQ(run_mien({"study", "analyse"}).errors,
             "unknown command \"analyse\"; did you mean \"analyze\"?\n");
+  // A command that is another's, from whichever program.
+  for (const auto& [words, meant] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"export", "emotion-study"}, "mien study export, or mien farm export"},
+           {{"serve", "emotion-study"}, "mien study serve"},
+           {{"info", "walk.bvh"}, "mien motion info"},
+           {{"approve"}, "mien regress approve"},
+           {{"study", "check", "my.yaml"}, "mien check"},
+           {{"study", "studio"}, "mien studio"},
+           {{"motion", "render", "walk.bvh"}, "mien render"}}) {
+    const Ended other = run_mien(words);
+    EXPECT_EQ(other.code, 2);
+    EXPECT_TRUE(other.errors.ends_with("\"; did you mean " + meant + "?\n")) << other.errors;
+  }
   const Ended missing = run_mien({"study", "words"});
   EXPECT_EQ(missing.code, 2);
   EXPECT_TRUE(missing.errors.starts_with("mien study words: words and --lexicon and --output "))

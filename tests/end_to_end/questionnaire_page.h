@@ -45,6 +45,24 @@ questionnaire:
     - {id: hand, ask: "Which hand do you write with?", answer: [left, right]}
 )";
 
+/// A questionnaire of two participants whose two trials are rated while the film plays.
+inline constexpr char continuous_study_text[] = R"(mien: 1
+study: courses
+seed: 7
+examples: {set: builtin:walks-10}
+output: {size: [96, 72], fps: 15, cycles: 3, in_place: true, quality: draft, video: [mp4], frames: none}
+stimuli:
+  - {id: sad, weights: {normal: 0.4, sad: 0.6}}
+questionnaire:
+  participants: 2
+  stimuli: [sad]
+  scales: [sad-happy, weak-strong]
+  trials: continuous
+  continuous: {lead: 0.5, speed: 40}
+  demographics:
+    - {id: age, ask: "How old are you?", answer: number, required: true}
+)";
+
 /// The folder of the scripts that drive a browser, beside the program, where ./mien test brings it.
 std::filesystem::path page_tests();
 

@@ -138,6 +138,10 @@ TEST_F(QuestionnairePage, ShowsStimuliInTheSizeThatIsAskedFor) {
   const json taken = played("calibrated", there);
   EXPECT_EQ(taken.at("troubles"), json::array());
   EXPECT_NEAR(taken.at("card").get<double>(), 400.0, 0.01);
+  EXPECT_TRUE(taken.at("before").at("is_disabled"));
+  EXPECT_NE(taken.at("before").at("why").get<std::string>().find("before you confirm"),
+            std::string::npos);
+  EXPECT_EQ(taken.at("after"), (json{{"is_disabled", false}, {"why", ""}}));
   EXPECT_NE(taken.at("sit").get<std::string>().find("about 50 cm"), std::string::npos);
   EXPECT_NE(taken.at("asked").get<std::string>().find("at least 912"), std::string::npos)
       << taken.at("asked");
@@ -478,6 +482,12 @@ TEST_F(QuestionnairePage, GoesWithTheServerOfALaboratory) {
   // Neither the phone nor who refused has taken a plan.
   EXPECT_EQ(run.at("participants"), (json{3, 3, 4}));
   EXPECT_EQ(run.at("states"), (json{"done", "done", "waiting", "done"}));
+  const json& monitored = run.at("monitored");
+  EXPECT_EQ(monitored.at("rows"), (json{"p001", "p002", "p004"}));
+  EXPECT_EQ(monitored.at("unopened"), "List 1 personal link that nobody has opened");
+  EXPECT_EQ(monitored.at("all"), (json{"p003", "p001", "p002", "p004"}));
+  EXPECT_EQ(monitored.at("states"), (json{"personal link not opened", "done", "done", "done"}));
+  EXPECT_EQ(monitored.at("hide"), "Hide 1 personal link that nobody has opened");
   EXPECT_EQ(run.at("path").get<std::string>().substr(0, 3), "/s/");
   EXPECT_EQ(run.at("troubles"), json::array());
 }
@@ -488,8 +498,15 @@ TEST_F(QuestionnairePage, PlaysByTheSpaceKeyAndChoosesByDigitsWhereverTheFocusIs
   EXPECT_EQ(keys.at("is_there"), 2);
   EXPECT_EQ(keys.at("replayed"), 1);
   EXPECT_EQ(keys.at("chosen"), 0);
-  EXPECT_TRUE(keys.at("back"));  // among the answers, once it has been replayed
+  EXPECT_TRUE(keys.at("back"));  // at the question, once it has been replayed
   EXPECT_EQ(keys.at("by_digit"), "2");
+  const json& entered = keys.at("entered");
+  EXPECT_NE(entered.at("note").get<std::string>().find("missing"), std::string::npos);
+  EXPECT_TRUE(entered.at("is_at_group"));
+  EXPECT_EQ(entered.at("chosen"), 0) << "Enter chooses nothing";
+  EXPECT_EQ(entered.at("by_space"), 1) << "at the answer that the participant went to";
+  EXPECT_EQ(entered.at("replayed"), 1) << "at an answer that is chosen, Space plays again";
+  EXPECT_EQ(entered.at("by_arrow"), (json{"5", "1"}));
   EXPECT_NE(keys.at("desktop_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("touched_text").get<std::string>().find("keyboard"), std::string::npos);
   EXPECT_EQ(keys.at("troubles"), json::array());
@@ -517,6 +534,12 @@ TEST_F(QuestionnairePage, FindsRoomForWordsAndForJapaneseOnAPhone) {
   EXPECT_EQ(suggested.at("words"), json({"happy", "heavy", "sad"}));
   EXPECT_NE(suggested.at("label"), "");
   EXPECT_EQ(suggested.at("faults"), json::array());
+}
+
+TEST_F(QuestionnairePage, BreaksNoWordBelowThePointsOfAScale) {
+  const json broken = played("points");
+  EXPECT_EQ(broken.size(), 18u);
+  for (const auto& [where, words] : broken.items()) EXPECT_EQ(words, json::array()) << where;
 }
 
 TEST_F(QuestionnairePage, IsInTheLanguageThatTheBrowserPrefersAndMirroredInArabic) {

@@ -14,13 +14,13 @@ struct BvhParts {
   std::vector<std::string> frames;
 };
 
-BvhParts parts_of(const std::string& bvh, const std::string& root) {
+BvhParts parts_of(const std::string& bvh, const std::string& root_joint) {
   std::istringstream in(bvh);
   BvhParts parts;
   std::string line;
   std::getline(in, line);
   while (std::getline(in, line) && line != "MOTION")
-    parts.hierarchy += (line.starts_with("ROOT") ? "ROOT " + root : line) + "\n";
+    parts.hierarchy += (line.starts_with("ROOT") ? "ROOT " + root_joint : line) + "\n";
   std::getline(in, line);
   std::getline(in, parts.frame_time);
   while (std::getline(in, line)) parts.frames.push_back(line);

@@ -160,6 +160,23 @@ const Command& typed_command(const CLI::App& app, const Command& command) {
   return command;
 }
 
+/// The command lines that end with this word: "mien study export", "mien farm export".
+void find_lines(const Command& command, const std::string& line, const std::string& word,
+                std::vector<std::string>& found) {
+  for (const Command& below : command.commands) {
+    const std::string here = line + " " + below.name;
+    if (below.name == word) found.push_back(here);
+    find_lines(below, here, word, found);
+  }
+}
+
+/// A question about commands of this name elsewhere; empty if there are none.
+std::string did_you_mean_elsewhere(const Command& program, const std::string& word) {
+  std::vector<std::string> found;
+  find_lines(with_other_programs(program), program.name, word, found);
+  return found.empty() ? "" : fmt::format("did you mean {}?", fmt::join(found, ", or "));
+}
+
 /// A sentence about the first unknown command; empty if all are known.
 std::string unknown_command(const Command& program, const std::vector<std::string>& words) {
   const Command* at = &program;
@@ -170,8 +187,9 @@ std::string unknown_command(const Command& program, const std::vector<std::strin
     if (below == nullptr) {
       std::vector<std::string> known;
       for (const Command& command : at->commands) known.push_back(command.name);
+      const std::string elsewhere = did_you_mean_elsewhere(program, word);
       return "unknown command " + motion::in_quotes(word) + "; " +
-             motion::did_you_mean(word, known);
+             (elsewhere.empty() ? motion::did_you_mean(word, known) : elsewhere);
     }
     at = below;
   }

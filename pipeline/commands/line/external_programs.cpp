@@ -41,10 +41,9 @@ std::string path_of(const ExternalProgram& other) {
   return program_path().replace_filename(other.program);
 }
 
-Command commands_of(const ExternalProgram& other) {
-  const std::string program = path_of(other);
+Command commands_of(const std::string& program, const std::string& command) {
   const CommandResult end = run_command({program, "--commands"}, std::chrono::seconds(30));
-  if (end.is_missing) throw missing_program(program, other.command);
+  if (end.is_missing) throw missing_program(program, command);
   if (!end.succeeded())
     throw std::runtime_error(program + " does not list its commands: " + end.errors);
   const nlohmann::json reply = nlohmann::json::parse(end.output);
@@ -90,12 +89,21 @@ std::string program_as_json(const Command& program) {
 
 Command with_external_programs(Command program) {
   for (const ExternalProgram& other : external_programs) {
-    const Command reply = commands_of(other);
+    const Command reply = commands_of(path_of(other), other.command);
     const Command* const command = subcommand_named(reply, other.command);
     if (command != nullptr)
       *std::ranges::find(program.commands, other.command, &Command::name) = *command;
   }
   return program;
+}
+
+Command with_other_programs(const Command& program) {
+  const std::string main_program = program_path().replace_filename("mien");
+  try {
+    return with_external_programs(commands_of(main_program, ""));
+  } catch (const std::runtime_error&) {
+    return program;
+  }
 }
 
 }  // namespace mien::pipeline

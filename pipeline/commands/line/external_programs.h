@@ -43,4 +43,8 @@ std::string program_as_json(const Command& program);
 /// describe its commands.
 Command with_external_programs(Command program);
 
+/// All commands of mien, from whichever of its programs this is, to suggest one to somebody who
+/// typed another; only those of `program` if another program is missing or cannot list its own.
+Command with_other_programs(const Command& program);
+
 }  // namespace mien::pipeline

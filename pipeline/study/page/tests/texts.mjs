@@ -30,7 +30,9 @@ test("numbers and names are put into texts", async () => {
   const { textsOf } = await bundled("questionnaire/texts.ts");
   assert.equal(textsOf("en").missing({ count: 1 }), "One answer is missing.");
   assert.equal(textsOf("en").missing({ count: 12 }), "12 answers are missing.");
-  assert.equal(textsOf("de").replaysLeft({ left: 2 }), "noch 2 Mal");
+  assert.equal(textsOf("de").replaysLeft({ left: 1 }), "noch 1 Wiederholung");
+  assert.equal(textsOf("de").replaysLeft({ left: 2 }), "noch 2 Wiederholungen");
+  assert.equal(textsOf("fr").replaysLeft({ left: 0 }), "encore 0 relecture");
   assert.equal(textsOf("ja").preparingOf({ done: 3, all: 40 }), "40本中3本の動画を読み込みました。");
   assert.equal(textsOf("ar").missing({ count: 2 }), "هناك إجابتان ناقصتان.");
   assert.equal(textsOf("ar").missing({ count: 5 }), "هناك 5 إجابات ناقصة.");
@@ -40,6 +42,18 @@ test("numbers and names are put into texts", async () => {
   assert.equal(textsOf("en").windowSize({ width: 1200, height: 1, needsWidth: 2, needsHeight: 3 }),
     "The window has 1200 × 1 pixels; at least 2 × 3 are needed.");
   assert.equal(textsOf("xx").next, "Continue");
+});
+
+/** Words that stand for a number in Arabic, whose dual needs none. */
+const countWords = /لم تبقَ|واحدة|إعادتان/;
+
+test("what is left of something says how much, for every number", async () => {
+  const { textsOf } = await bundled("questionnaire/texts.ts");
+  for (const language of Object.keys(documents))
+    for (const left of [0, 1, 2, 3, 11]) {
+      const said = textsOf(language).replaysLeft({ left });
+      assert.ok(said.includes(String(left)) || (language === "ar" && countWords.test(said)), `${language}: ${said}`);
+    }
 });
 
 test("degrees are where the language has them", async () => {

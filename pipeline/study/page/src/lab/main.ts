@@ -7,7 +7,7 @@ const refreshMilliseconds = 3000;
 
 /** Words of states, in the order in which participants are listed. */
 const states: Record<Participant["state"], string> = {
-  here: "here", away: "away", opened: "opened, not agreed", waiting: "not come yet", done: "done", refused: "refused",
+  here: "here", away: "away", opened: "opened, not agreed", waiting: "personal link not opened", done: "done", refused: "refused",
   screened_out: "screened out", withdrawn: "withdrawn",
 };
 const order = Object.keys(states);
@@ -106,9 +106,26 @@ function showParticipant(participant: Participant): HTMLElement {
   return shown.row;
 }
 
-/** Those who are here come first. */
+/** Whether personal links that nobody has opened are listed; undefined until somebody asks. */
+let listsUnopened: boolean | undefined;
+let shownLast: Participant[] = [];
+
+/** Those who are here come first. Where people come by the open link, personal links that nobody has opened are listed on
+    request: they are not missing participants. */
 function showParticipants(participants: Participant[]): void {
-  const sorted = [...participants].sort((one, other) => order.indexOf(one.state) - order.indexOf(other.state));
+  shownLast = participants;
+  const unopened = participants.filter(({ state }) => state === "waiting").length;
+  const isOpenLinkUsed = participants.some(({ came_by: route }) => route === "join");
+  const lists = listsUnopened ?? !isOpenLinkUsed;
+  const toggle = at("unopened");
+  toggle.hidden = unopened === 0 || !isOpenLinkUsed;
+  const links = unopened === 1 ? "1 personal link that nobody has opened" : `${unopened} personal links that nobody has opened`;
+  setText(toggle, `${lists ? "Hide" : "List"} ${links}`);
+  const sorted = participants.filter(({ state }) => lists || state !== "waiting")
+    .sort((one, other) => order.indexOf(one.state) - order.indexOf(other.state));
+  const hidden = new Set(rows.keys());
+  for (const { participant } of sorted) hidden.delete(participant);
+  for (const participant of hidden) rows.get(participant)!.row.remove();
   const body = at("participants");
   sorted.map(showParticipant).forEach((row, index) => {
     if (body.children[index] !== row) body.insertBefore(row, body.children[index] ?? null);
@@ -178,6 +195,10 @@ async function withdraw(): Promise<void> {
 at("withdrawal").addEventListener("submit", (event) => {
   event.preventDefault();
   void withdraw();
+});
+at("unopened").addEventListener("click", () => {
+  listsUnopened = !(listsUnopened ?? false);
+  showParticipants(shownLast);
 });
 at("copy-join").addEventListener("click", () => void copy(join.value, at("copy-join")));
 join.addEventListener("focus", () => join.select());

@@ -21,6 +21,8 @@ export interface Participant {
   participant: string;
   link: string;
   state: "waiting" | "opened" | "here" | "away" | "done" | "refused" | "screened_out" | "withdrawn";
+  /** "join": by the open link; "link": by their own; empty before either. */
+  came_by: "join" | "link" | "";
   kept: number;
   records: number;
   /** The record that comes next. */

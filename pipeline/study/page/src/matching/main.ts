@@ -3,14 +3,16 @@ import { openServed } from "../live/served_core";
 import { openWasm } from "../live/wasm_core";
 import { element, button, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
-import { saveOnce, type SavedFile } from "../questionnaire/files";
+import type { EarlyEnds } from "../questionnaire/early_ends";
+import { isForExperimenter, showExperimenterPage } from "../questionnaire/experimenter_page";
+import { saveOnce, type TextFile } from "../questionnaire/files";
 import { isTouched } from "../questionnaire/measures";
 import { runScript } from "../questionnaire/media";
 import { participantsCsv } from "../questionnaire/rows";
 import { endWithdrawalOffer } from "../questionnaire/withdrawal";
-import { experimentOf, expectOwn, mayBegin, mayWithdraw, showEnding } from "../questionnaire/session_page";
-import { Drawer, type Store } from "../questionnaire/store";
-import { base, modeOfPage, root, show, showClosed, storeOf, type Mode } from "../questionnaire/surroundings";
+import { experimentOf, expectOwn, mayBegin, mayWithdraw, showEnding, showFormerEnd } from "../questionnaire/session_page";
+import { Drawer, namedSession, type Store } from "../questionnaire/store";
+import { base, earlyEndsOfLink, linkParameters, modeOfPage, root, show, showClosed, storeOf, type Mode } from "../questionnaire/surroundings";
 import { pageRecord, showTextPage, waitNote, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
 import type { Texts } from "../questionnaire/texts";
 import { checkedMatching, type MatchingExperiment, type MatchingSession, type MatchingTrial } from "./experiment";
@@ -81,7 +83,7 @@ class Session {
   private words;
   constructor(
     private mode: Mode, private experiment: MatchingExperiment, private store: Store<MatchingSession>,
-    private texts: Texts,
+    private texts: Texts, private ends: EarlyEnds | undefined,
   ) {
     this.words = matchingTexts(experiment.language, experiment.page_texts?.[experiment.language]);
   }
@@ -132,7 +134,7 @@ class Session {
         if (agreed || mode !== "static")
           await this.keep({ ...pageRecord("consent", this.store.name, { ...given, responses }),
             language: experiment.language }, page);
-        if (agreed) return mayWithdraw(experiment, this.store, texts, {});
+        if (agreed) return mayWithdraw(experiment, this.store, texts, {}, this.ends);
         if (mode === "static") this.store.clear?.();
         show(texts.thanks, [texts.refused]);
         await new Promise(() => {});  // nothing follows
@@ -244,27 +246,34 @@ class Session {
   }
 }
 
-/** Saves what was recorded. */
-function savedFiles(experiment: MatchingExperiment, store: Store<MatchingSession>): SavedFile[] {
-  const { session, records, name } = store;
+/** The files of a session. */
+function filesOf(
+  experiment: MatchingExperiment,
+  { session, records, name }: Pick<Store<MatchingSession>, "session" | "records" | "name">): TextFile[] {
   const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
   const everything = { format: "mien-matching-session-1", study: experiment.study, design: experiment.design,
     participant: session.participant, session: name, seed: session.seed, trials: session.trials, records };
   const csvOf = (what: string, text: string) =>
     ({ name: `${begin}_description-${what}_data.csv`, type: "text/csv", text });
-  return saveOnce([
+  return [
     csvOf("trials", trialsCsv(experiment, session, records)),
     csvOf("changes", changesCsv(experiment, session, records)),
     csvOf("participant", participantsCsv(experiment, session, records)),
     { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
-  ], store);
+  ];
 }
 
 async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checkedMatching);
   const texts = sharedTexts(experiment.language, experiment.page_texts?.[experiment.language]);
+  const link = await linkParameters(mode);
+  if (mode === "static" && isForExperimenter(link))
+    return showExperimenterPage(experiment, (kept) => filesOf(experiment,
+      { ...kept, session: namedSession(experiment.sessions, kept.participant) }));
   if (!mayBegin(experiment, texts)) return;
+  const ends = earlyEndsOfLink(mode, experiment, link);
+  if (showFormerEnd(experiment, texts, {}, ends)) return;
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => trialsCsv(experiment, session, records),
     files: (session, records) => ({
@@ -273,13 +282,13 @@ async function main(): Promise<void> {
     }),
   });
   const isOwn = !experiment.browser || experiment.browser === store.name;
-  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, {});
+  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, {}, ends);
   if (!namesOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
-    await new Session(mode, experiment, store, texts).run();
+    await new Session(mode, experiment, store, texts, ends).run();
   }
   if (mode === "static") endWithdrawalOffer();
-  showEnding(mode, experiment, store, texts, () => savedFiles(experiment, store));
+  showEnding(mode, experiment, store, texts, () => saveOnce(filesOf(experiment, store), store));
 }
 
 

@@ -1,3 +1,4 @@
+import { chooseByKeys, focusChoice } from "./choice_keys";
 import { element } from "./elements";
 import type { Item, Response } from "./experiment";
 import { degreeOf, meaningOf, type Texts } from "./texts";
@@ -31,7 +32,7 @@ export interface Choice {
 
 let names = 0;
 
-/** Buttons of which one is chosen: arrows move, digits choose. */
+/** Buttons of which one is chosen, by keys too. */
 export function choicesOf(
   item: string, title: string, left: string, right: string, choices: Choice[],
   raw: (value: string) => number | string, chosen: string | null, answered: Answered,
@@ -62,7 +63,7 @@ export function choicesOf(
   }
   const asked: Asked = {
     root,
-    focus: () => (inputs.find((input) => input.checked) ?? inputs.find((input) => !input.disabled))?.focus(),
+    focus: () => focusChoice(root, inputs),
     answer: () => (value === null ? null : { item, value_raw: raw(value), at }),
   };
   const choose = (input: HTMLInputElement, isKey: boolean) => {
@@ -72,13 +73,7 @@ export function choicesOf(
     answered(asked, isKey);
   };
   for (const input of inputs) input.addEventListener("change", () => choose(input, false));
-  root.addEventListener("keydown", (event) => {
-    const input = /^[1-9]$/.test(event.key) ? inputs[Number(event.key) - 1] : undefined;
-    if (!input || input.disabled || event.ctrlKey || event.altKey || event.metaKey) return;
-    event.preventDefault();
-    input.focus();
-    choose(input, true);
-  });
+  chooseByKeys(root, inputs, choose);
   return asked;
 }
 

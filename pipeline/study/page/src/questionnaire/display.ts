@@ -97,7 +97,10 @@ export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number
       touched();
     };
     // A slider that was never moved means that no card was compared.
-    const touched = () => { confirm.disabled = false; };
+    const touched = () => {
+      confirm.disabled = false;
+      first.textContent = "";
+    };
     slider.addEventListener("input", () => { show(); touched(); });
     show();
     const head = heading(texts.calibrate);
@@ -106,10 +109,12 @@ export function calibrate(display: HTMLElement, texts: Texts, distanceCm: number
       done();
     }, "main");
     confirm.disabled = true;
+    const first = element("p", { class: "card-first", id: "card-first", role: "status" }, texts.cardFirst);
+    confirm.setAttribute("aria-describedby", first.id);
     display.replaceChildren(element("article", { class: "page calibration" }, head,
       ...paragraphs([texts.calibrateHow, texts.sitAt({ cm: distanceCm })]), card,
       element("div", { class: "card-width" }, button("−", () => step(-1)), slider, button("+", () => step(1))),
-      element("div", { class: "buttons" }, confirm)));
+      first, element("div", { class: "buttons" }, confirm)));
     head.focus();
   });
 }

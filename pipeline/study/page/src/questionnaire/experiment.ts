@@ -188,6 +188,7 @@ export interface Planned<Own extends { participant: string } = Session> {
   ended?: SessionEnd;
   joining?: boolean;
   destination?: Destination;
+  recruitment?: Recruitment;
 }
 
 /** A stimulus was not loaded, or cannot be decoded, or stopped again and again. */

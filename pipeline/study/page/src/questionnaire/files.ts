@@ -7,7 +7,14 @@ export interface SavedFile {
   save(): void;
 }
 
-function download(name: string, type: string, text: string): void {
+export interface TextFile {
+  name: string;
+  type: string;
+  text: string;
+}
+
+/** Saves a file among the downloads. */
+export function download({ name, type, text }: TextFile): void {
   const link = document.createElement("a");
   const url = URL.createObjectURL(new Blob([text], { type }));
   link.href = url;
@@ -18,16 +25,10 @@ function download(name: string, type: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 
-export interface TextFile {
-  name: string;
-  type: string;
-  text: string;
-}
-
 /** Saves files among the downloads, by itself only once; says how to do so again. */
 export function saveOnce(files: TextFile[], store: Pick<Store, "isSaved" | "noteSaved">): SavedFile[] {
   const saved = files.map((file) => ({ name: file.name,
-    save: () => download(file.name, file.type, file.text) }));
+    save: () => download(file) }));
   if (!store.isSaved?.()) {
     saved.forEach(({ save }, index) => setTimeout(save, 300 * index));
     setTimeout(() => store.noteSaved?.(), 300 * (saved.length - 1));
@@ -35,20 +36,17 @@ export function saveOnce(files: TextFile[], store: Pick<Store, "isSaved" | "note
   return saved;
 }
 
-/**
- * Saves the answers of a session among the downloads, by itself only once; says how to do so again.
- */
-export function saveFiles(experiment: Experiment, store: Store): SavedFile[] {
-  const { session, records, name } = store;
+/** The files of a session. */
+export function filesOf(
+  experiment: Experiment, { session, records, name }: Pick<Store, "session" | "records" | "name">): TextFile[] {
   // As Psych-DS likes its files to be named.
   const begin = `subject-${session.participant}_session-${name.slice(0, 8)}`;
   const everything = { format: "mien-session-1", study: experiment.study, design: experiment.design,
     participant: session.participant, session: name, seed: String(session.seed), trials: session.trials,
     records };
-  const files = [
+  return [
     { name: `${begin}_description-answers_data.csv`, type: "text/csv", text: answersCsv(experiment, session, records) },
     { name: `${begin}_description-participant_data.csv`, type: "text/csv", text: participantsCsv(experiment, session, records) },
     { name: `${begin}_records.json`, type: "application/json", text: JSON.stringify(everything, null, 1) },
   ];
-  return saveOnce(files, store);
 }

@@ -43,6 +43,9 @@ export class GridStage implements TrialStage, GridFilms {
   private stops = 0;
   private watchDog = 0;
   private waiting = 0;
+  /** Places of those that cannot be played. */
+  private failed: number[] = [];
+  private fault: PlayFault = "not_loaded";
   private offer = element("div", { class: "play-fault" });
 
   constructor(
@@ -66,20 +69,31 @@ export class GridStage implements TrialStage, GridFilms {
       element("div", { class: "cover" }, this.note, this.offer));
     if (settings.display) this.root.classList.add("fixed");
     for (const index of attempt.before.seen ?? []) if (this.films[index]) this.films[index].isSeen = true;
-    if (shown.some(({ url }) => url === undefined)) return;
-    this.waiting = window.setTimeout(() => this.fail("not_loaded"), waitForFilmMs);
     addEventListener("pagehide", this.noteWatched);
+    shown.forEach(({ url }, index) => { if (url === undefined) this.fail(index, "not_loaded"); });
+    if (!this.failed.length)
+      this.waiting = window.setTimeout(() => this.films.forEach(({ isReady }, index) => {
+        if (!isReady) this.fail(index, "not_loaded");
+      }), waitForFilmMs);
   }
 
-  private fail(fault: PlayFault): void {
+  /** The others can be played, but the trial cannot be completed. What is left out has the fault of the first. */
+  private fail(index: number, fault: PlayFault): void {
     clearTimeout(this.waiting);
-    if (this.offer.children.length) return;
-    this.note.textContent = this.texts.cannotPlay;
-    this.offerToLeaveOut(fault);
+    if (this.failed.includes(index)) return;
+    this.failed.push(index);
+    this.note.textContent = "";
+    const names = this.failed.sort((one, other) => one - other).map((one) => this.labelOf(one)).join(", ");
+    if (this.failed.length === 1) this.fault = fault;
+    this.offerToLeaveOut(this.fault, `${names}: ${this.texts.cannotPlay}`);
   }
 
-  private offerToLeaveOut(fault: PlayFault): void {
-    this.offer.replaceChildren(...leaveOutOffer(this.texts, () => this.leftOut(fault)));
+  private labelOf = (index: number): string =>
+    (index === this.reference() ? this.texts.gridReference : String(index + 1));
+
+  private offerToLeaveOut(fault: PlayFault, said = ""): void {
+    this.offer.replaceChildren(...(said ? [element("p", { class: "failed-films" }, said)] : []),
+      ...leaveOutOffer(this.texts, () => this.leftOut(fault)));
   }
 
   /** Notes what is played, so that it is known after a reload. */
@@ -94,7 +108,7 @@ export class GridStage implements TrialStage, GridFilms {
 
   private filmOf({ url, media, role }: ShownMedia, index: number): Film {
     const isLoaded = url !== undefined;
-    const label = role === "reference" ? this.texts.gridReference : String(index + 1);
+    const label = this.labelOf(index);
     const screen = screenOf(url ?? "", media, label, stageColour(role), {
       began: (at) => this.began(index, at),
       stalled: () => {
@@ -117,7 +131,7 @@ export class GridStage implements TrialStage, GridFilms {
     const film: Film = { screen, frame, isReady: false, isSeen: false, plays: 0, ended: 0 };
     screen.ready.then(
       () => { film.isReady = true; this.changed(); },
-      () => this.fail(isLoaded ? "not_decoded" : "not_loaded"));
+      () => this.fail(index, isLoaded ? "not_decoded" : "not_loaded"));
     return film;
   }
 
@@ -200,7 +214,7 @@ export class GridStage implements TrialStage, GridFilms {
     this.wentOn();
     this.films[index]!.ended += 1;
     this.playing = null;
-    if (this.films.every(({ isReady }) => isReady)) this.offer.replaceChildren();
+    if (!this.failed.length) this.offer.replaceChildren();
     this.saw(index);
     this.noteWatched();
     this.playedAt = null;

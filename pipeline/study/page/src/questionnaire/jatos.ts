@@ -46,6 +46,14 @@ export function jatosIds(): Record<string, string> {
     .flatMap(([name, id]) => (id === undefined || id === null ? [] : [[name, String(id)]])));
 }
 
+/** Ends the run, and leads to the address. */
+export function leaveJatos(address: string | undefined): void {
+  const jatos = jatosOfWindow()!;
+  if (!address) void jatos.endStudy();
+  else if (jatos.endStudyAndRedirect) void jatos.endStudyAndRedirect(address);
+  else void jatos.endStudy().then(() => location.assign(address));
+}
+
 /**
  * Counts the session that is taken in the batch session, which all participants of a batch share.
  * JATOS refuses a change that was made on an old state; then another one is chosen.
@@ -127,11 +135,7 @@ export async function jatosStore<Own extends { participant: string }>(
       else throw new Error("This JATOS cannot delete the answers of a run.");
       return undefined;
     },
-    leave(address) {
-      if (!address) void jatos.endStudy();
-      else if (jatos.endStudyAndRedirect) void jatos.endStudyAndRedirect(address);
-      else void jatos.endStudy().then(() => location.assign(address));
-    },
+    leave: leaveJatos,
   };
   return store;
 }

@@ -4,20 +4,22 @@ import { calibrate, calibration, neededWindow, needsCalibration, rowsOfSet } fro
 import {
   checked, recordsOf, type Destination, type Experiment, type PageRecord, type Trial,
 } from "./experiment";
-import { saveFiles } from "./files";
-import { jatosIds } from "./jatos";
+import type { EarlyEnds } from "./early_ends";
+import { isForExperimenter, showExperimenterPage } from "./experimenter_page";
+import { filesOf, saveOnce } from "./files";
+import { jatosIds, leaveJatos } from "./jatos";
 import { LoadPage } from "./load_page";
 import { isTouched, refreshRate } from "./measures";
 import { fill, type Stock } from "./media";
 import { completedEnd, destinationOf, keptParameters, parametersOf, rememberedParameters,
   rememberParameters, type Parameters } from "./recruitment";
-import { answersCsv, participantsCsv } from "./rows";
+import { answersCsv, participantRow, participantsCsv } from "./rows";
 import { loadTurnView } from "./screen";
 import { RunPage } from "./run_page";
 import { enlargedWindow, runScreening, screeningFault } from "./screening";
-import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding } from "./session_page";
-import type { Store } from "./store";
-import { goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
+import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding, showFormerEnd } from "./session_page";
+import { namedSession, type Store } from "./store";
+import { earlyEndsOfLink, goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
@@ -31,6 +33,8 @@ interface Session {
   store: Store;
   texts: Texts;
   parameters: Parameters;
+  /** Where no server knows how sessions ended. */
+  ends: EarlyEnds | undefined;
   /** Returns once the record is kept; where nothing more is accepted, it says why and does not return. */
   keep(record: PageRecord, page: HTMLElement): Promise<void>;
 }
@@ -38,8 +42,8 @@ interface Session {
 const forever = () => new Promise<never>(() => {});
 
 function sessionOf(
-  mode: Mode, experiment: Experiment, store: Store, texts: Texts, parameters: Parameters): Session {
-  return { mode, experiment, store, texts, parameters,
+  mode: Mode, experiment: Experiment, store: Store, texts: Texts, parameters: Parameters, ends: EarlyEnds | undefined): Session {
+  return { mode, experiment, store, texts, parameters, ends,
     async keep(record, page) {
       try {
         await store.keep(record, waitNote(page, texts));
@@ -61,7 +65,7 @@ const textPage = ({ store, texts, keep }: Session, name: string, more: object) =
 
 /** Keeps the answer to the consent; for whoever refuses, the session ends here. */
 async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement): Promise<void> {
-  const { mode, experiment, store, texts, parameters } = own;
+  const { mode, experiment, store, texts, parameters, ends } = own;
   const agreed = given.pressed === 0;
   const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
   const record = pageRecord("consent", store.name, { ...given, responses });
@@ -73,7 +77,7 @@ async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement):
     record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
   }
   if (agreed || mode !== "static") await own.keep(record, page);
-  if (agreed) return mayWithdraw(experiment, store, texts, parameters);
+  if (agreed) return mayWithdraw(experiment, store, texts, parameters, ends);
   if (mode === "static") store.clear?.();
   const destination = destinationOf(experiment.recruitment, "refused");
   showEarlyEnd(texts, [destination || store.leave ? texts.refusedHere : texts.refused],
@@ -91,8 +95,9 @@ async function keepScreening(own: Session, record: PageRecord, page: HTMLElement
 }
 
 /** The session of a participant who was screened out. */
-async function turnAway({ mode, experiment, store, texts, parameters }: Session): Promise<never> {
+async function turnAway({ mode, experiment, store, texts, parameters, ends }: Session): Promise<never> {
   await store.finish();
+  ends?.note("screened_out", participantRow(experiment, store.session, store.records));
   if (mode === "static") store.clear?.();
   const destination = store.destination?.() ?? destinationOf(experiment.recruitment, "screened_out");
   showEarlyEnd(texts, [texts.screenedOut], { parameters, destination }, store.leave);
@@ -189,20 +194,26 @@ async function main(): Promise<void> {
   const mode = modeOfPage();
   const experiment = await experimentOf(mode, checked);
   const texts = textsOf(experiment.language, experiment.page_texts?.[experiment.language]);
-  const given = parametersOf(experiment, await linkParameters(mode));
+  const link = await linkParameters(mode);
+  if (mode === "static" && isForExperimenter(link))
+    return showExperimenterPage(experiment, (kept) => filesOf(experiment,
+      { ...kept, session: namedSession(experiment.sessions, kept.participant) }));
+  const given = parametersOf(experiment, link);
   if (!mayBegin(experiment, texts, given)) return;
+  const ends = earlyEndsOfLink(mode, experiment, link);
+  if (showFormerEnd(experiment, texts, given, ends, mode === "jatos" ? leaveJatos : undefined)) return;
   await goOnWhereJoined(experiment, given);
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => answersCsv(experiment, session, records),
     files: (session, records) => ({ "participants.csv": participantsCsv(experiment, session, records) }),
   });
   const parameters = rememberedParameters(experiment, store.name, given);
-  const own = sessionOf(mode, experiment, store, texts, parameters);
+  const own = sessionOf(mode, experiment, store, texts, parameters, ends);
   const isTurnedAway = experiment.ended === "screened_out" ||
     (mode !== "served" && screeningFault(experiment.screening, store.records.screening) !== "");
   if (isTurnedAway) await turnAway(own);
   const isOwn = !experiment.browser || experiment.browser === store.name;
-  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, parameters);
+  if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, parameters, ends);
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
     const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
@@ -213,7 +224,7 @@ async function main(): Promise<void> {
   }
   if (mode === "static") endWithdrawalOffer();  // the files are the participant's or the experimenter's now
   await debrief(experiment, texts);
-  showEnding(mode, experiment, store, texts, () => saveFiles(experiment, store),
+  showEnding(mode, experiment, store, texts, () => saveOnce(filesOf(experiment, store), store),
     { parameters, destination: destinationAtEnd(mode, experiment, store) });
 }
 

@@ -92,8 +92,8 @@ function loaded(token: string, media: Media): Promise<string> {
 }
 
 /**
- * Brings all that a session shows, two at a time, and tells how far it is. Throws when one cannot
- * be had; what the stock has by then stays.
+ * Brings all that a session shows, two at a time, and tells how far it is. Throws when one cannot be had, once the
+ * others are there.
  */
 export async function fill(
   stock: Stock, experiment: Experiment, session: Session, told: (done: number, all: number) => void,
@@ -101,13 +101,19 @@ export async function fill(
   const tokens = tokensOf(session);
   const missing = tokens.filter((token) => !stock.has(token));
   told(tokens.length - missing.length, tokens.length);
+  const failures: unknown[] = [];
   const next = async (): Promise<void> => {
     for (let token = missing.shift(); token; token = missing.shift()) {
       const media = experiment.media[token];
       if (!media) throw new Error(`there is no media ${token}`);
-      stock.set(token, await loaded(token, media));
+      try {
+        stock.set(token, await loaded(token, media));
+      } catch (failure) {
+        failures.push(failure);
+      }
       told(tokens.filter((one) => stock.has(one)).length, tokens.length);
     }
   };
   await Promise.all([next(), next()]);
+  if (failures.length) throw failures[0];
 }

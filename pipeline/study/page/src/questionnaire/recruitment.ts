@@ -44,15 +44,44 @@ export function rememberParameters(experiment: Recruited, session: string, param
 export const forgetParameters = (experiment: Recruited, session: string): void =>
   memoryOf(experiment, session).clear();
 
-/** By these, recruitment services name a person, or one participation of a person. Links without them may be opened
-    by several people at the same computer. */
-const personal = new Set(["PROLIFIC_PID", "SESSION_ID", "workerId", "assignmentId", "participantId", "survey_code"]);
+/** By these, recruitment services name a person. */
+const ofPerson = ["PROLIFIC_PID", "workerId", "participantId", "survey_code"];
+
+/** By these, they name a person or one participation of a person. Links without them may be opened by several people
+    at the same computer. */
+const personal = new Set([...ofPerson, "SESSION_ID", "assignmentId"]);
+
+/** Tells values apart without showing them: FNV-1a of 32 bits from two beginnings. */
+function markOf(text: string): string {
+  const bytes = new TextEncoder().encode(text);
+  return [0x811c9dc5, 0x9747b28c].map((begin) => {
+    let hash = begin;
+    for (const byte of bytes) hash = Math.imul(hash ^ byte, 0x01000193) >>> 0;
+    return hash.toString(16).padStart(8, "0");
+  }).join("");
+}
+
+const markOfAll = (parameters: [string, string][]): string =>
+  parameters.length ? markOf(new URLSearchParams(parameters.sort()).toString()) : "";
+
+/**
+ * What tells the person of a link from others who use the same browser, as a hash: by what names the person there or,
+ * where nothing does, by all parameters that the study keeps. "" for links that several people may open.
+ */
+export function personOf(experiment: Recruited, given: URLSearchParams): string {
+  const valuesOf = (names: Iterable<string>) => [...new Set(names)].flatMap((name): [string, string][] => {
+    const value = cleaned(given.get(name) ?? "");
+    return value ? [[name, value]] : [];
+  });
+  const named = valuesOf(ofPerson);
+  return markOfAll(named.length ? named : valuesOf([...personal, ...(experiment.recruitment?.url_parameters ?? [])]));
+}
 
 const joinedOf = (experiment: Recruited): Drawer => new Drawer(`mien/${experiment.design}/joined`);
 
 /** What stands for the person in the link; empty without. */
 const keyOf = (parameters: Parameters): string =>
-  new URLSearchParams(Object.entries(parameters).filter(([name]) => personal.has(name)).sort()).toString();
+  markOfAll(Object.entries(parameters).filter(([name]) => personal.has(name)));
 
 /** The path of the session that this person began in this browser from the open link. */
 export const joinedSession = (experiment: Recruited, parameters: Parameters): string | undefined =>
@@ -64,7 +93,7 @@ export function rememberJoined(experiment: Recruited, parameters: Parameters, pa
   joinedOf(experiment).write({ ...joinedOf(experiment).read<Record<string, string>>(), [keyOf(parameters)]: path });
 }
 
-/** The session at this path was withdrawn, or is gone. */
+/** The session at this path is gone. */
 export function forgetJoined(experiment: Recruited, path: string): void {
   const others = Object.entries(joinedOf(experiment).read<Record<string, string>>() ?? {})
     .filter(([, kept]) => kept !== path);
@@ -104,9 +133,32 @@ export function destinationOf(recruitment: Recruitment | undefined, end: Session
   return ends?.[end] ?? (end === "failed_attention" ? ends?.completed : undefined);
 }
 
+const placeholder = /\{([^{}]*)\}/g;
+
 /** The address with the values of the participant's link. */
 const filledAddress = (address: string, values: Parameters): string =>
-  address.replace(/\{([^{}]*)\}/g, (_, name: string) => encodeURIComponent(values[name] ?? ""));
+  address.replace(placeholder, (_, name: string) => encodeURIComponent(values[name] ?? ""));
+
+const windowKey = ({ design }: Recruited): string => `mien/${design}/leaving`;
+
+/** Keeps those values of the link that the address needs, until this window is closed: after a withdrawal nothing else
+    holds them, and the page may be loaded again. */
+export function keepForWindow(experiment: Recruited, address: string, values: Parameters): void {
+  const names = [...address.matchAll(placeholder)].map(([, name]) => name!);
+  const needed = Object.fromEntries(names.flatMap((name) => (values[name] ? [[name, values[name]]] : [])));
+  try {
+    if (Object.keys(needed).length) sessionStorage.setItem(windowKey(experiment), JSON.stringify(needed));
+  } catch { /* a browser that keeps nothing */ }
+}
+
+/** The values that were kept for this window. */
+export function keptForWindow(experiment: Recruited): Parameters {
+  try {
+    return JSON.parse(sessionStorage.getItem(windowKey(experiment)) ?? "{}") as Parameters;
+  } catch {
+    return {};
+  }
+}
 
 const leaveAfterSeconds = 15;
 

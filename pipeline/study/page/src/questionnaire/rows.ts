@@ -128,16 +128,13 @@ function endOf(experiment: Pick<Experiment, "screening">, records: Record<string
   return screeningFault(experiment.screening, records.screening) ? "screened_out" : "";
 }
 
-/** Who took part, as CSV of one row. */
-export function participantsCsv(
-  experiment: Pick<Experiment, "screening" | "demographics" | "design" | "consent" | "recruitment">,
-  session: { participant: string }, records: Record<string, PageRecord>,
-): string {
-  const { screening } = experiment;
-  const tones = screening?.sound ? Array.from({ length: toneAttempts }, (_, index) => toneItem(index + 1)) : [];
-  const questions = [...tones,
-    ...[...(screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id)];
-  const row: Record<(typeof participantColumns)[number], string> & Record<string, string> = {
+type AskedOfPeople = Pick<Experiment, "screening" | "demographics" | "design" | "consent" | "recruitment">;
+
+/** Who took part, without answers to questions. */
+export function participantRow(
+  experiment: Omit<AskedOfPeople, "demographics">, session: { participant: string }, records: Record<string, PageRecord>,
+): Record<string, string> {
+  const row: Record<(typeof participantColumns)[number], string> = {
     participant: session.participant,
     session: records.consent?.session ?? "",
     design: experiment.design,
@@ -150,8 +147,19 @@ export function participantsCsv(
     consent_sha256: experiment.consent?.sha256 ?? "",
     closing_comment: tableText(records.ending?.comment ?? ""),
   };
+  return { ...row, ...parameterFields(experiment, records) };
+}
+
+/** Who took part, as CSV of one row. */
+export function participantsCsv(
+  experiment: AskedOfPeople, session: { participant: string }, records: Record<string, PageRecord>): string {
+  const { screening } = experiment;
+  const tones = screening?.sound ? Array.from({ length: toneAttempts }, (_, index) => toneItem(index + 1)) : [];
+  const questions = [...tones,
+    ...[...(screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id)];
+  const row = participantRow(experiment, session, records);
   for (const name of ["screening", "demographics"])
     for (const { item, value_raw: valueRaw } of records[name]?.responses ?? []) row[item] = String(valueRaw);
-  const own = parameterFields(experiment, records);
-  return csv([...participantColumns, ...questions, ...Object.keys(own)], [{ ...row, ...own }]);
+  const own = Object.keys(parameterFields(experiment, records));
+  return csv([...participantColumns, ...questions, ...own], [row]);
 }

@@ -10,12 +10,13 @@ import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { showTextPage } from "./text_view";
 import { SessionClosed, type Store } from "./store";
-import { destinationOf, forgetJoined, forgetParameters, returnElements, type Parameters } from "./recruitment";
+import type { EarlyEnds } from "./early_ends";
+import { destinationOf, forgetParameters, keepForWindow, keptForWindow, returnElements, type Parameters } from "./recruitment";
 import { base, root, show, type Mode } from "./surroundings";
 import { directionOf, type Texts } from "./texts";
 import { endWithdrawalOffer, offerWithdrawal } from "./withdrawal";
 
-type WithdrawnFrom = Pick<Store, "name" | "withdraw">;
+type WithdrawnFrom = Pick<Store, "name" | "withdraw"> & { session: { participant: string } };
 
 /** Of any experiment. */
 export interface Frame {
@@ -28,6 +29,7 @@ export interface Frame {
   recruitment?: Recruitment;
   browser?: string;
   ended?: SessionEnd;
+  destination?: Destination;
 }
 
 /** The parameters of the participant's link, and the destination at the end of the session. */
@@ -66,9 +68,8 @@ export function mayBegin(experiment: Frame, texts: Texts, parameters: Parameters
   return !isRefused;
 }
 
-/** Throws where another browser has the session, or the participant has refused or withdrawn. */
+/** Throws where another browser has the session. */
 export function expectOwn(experiment: Frame, store: { name: string }): void {
-  if (experiment.ended && experiment.ended !== "screened_out") throw new SessionClosed(experiment.ended);
   if (experiment.browser && experiment.browser !== store.name) throw new SessionClosed("elsewhere");
 }
 
@@ -79,18 +80,44 @@ export function showEarlyEnd(
   show(texts.thanks, said, ...returnElements(texts, destination, parameters, false, leave));
 }
 
-/** From now on, the participant may withdraw. */
-export function mayWithdraw(experiment: Frame, store: WithdrawnFrom, texts: Texts, parameters: Parameters): void {
+/** What is said to whoever has withdrawn. */
+const saidOfWithdrawal = (experiment: Frame, texts: Texts): string[] =>
+  [texts.withdrawn, ...(experiment.texts.debriefing ?? [])];
+
+/** From now on, the participant may withdraw; where no server knows that, `ends` remembers it. */
+export function mayWithdraw(
+  experiment: Frame, store: WithdrawnFrom, texts: Texts, parameters: Parameters, ends?: EarlyEnds): void {
   if (!store.withdraw) return;
   offerWithdrawal(texts, () => store.withdraw!(), (told) => {
+    const { design } = experiment;
     forgetParameters(experiment, store.name);
     forgetAttempt(experiment, store.name);
     forgetDistance(store.name);
-    forgetJoined(experiment, base());
-    const { recruitment } = experiment;
-    const destination = told ?? (recruitment && destinationOf(recruitment, "withdrawn"));
-    showEarlyEnd(texts, [texts.withdrawn, ...(experiment.texts.debriefing ?? [])], { parameters, destination });
+    ends?.note("withdrawn", { participant: store.session.participant, design, ended: "withdrawn" });
+    const destination = told ?? destinationOf(experiment.recruitment, "withdrawn");
+    if (destination) keepForWindow(experiment, destination.address, parameters);
+    showEarlyEnd(texts, saidOfWithdrawal(experiment, texts), { parameters, destination });
   });
+}
+
+/**
+ * Whether the session of this link ended early before, as a server says or this browser remembers; then its last page is
+ * shown again. Of a server, whoever was screened out is recognized later, by the session. `leave` is for those who were
+ * screened out.
+ */
+export function showFormerEnd(
+  experiment: Frame, texts: Texts, given: Parameters, ends: EarlyEnds | undefined, leave?: Store["leave"]): boolean {
+  const ended = ends ? ends.former()?.ended : experiment.ended;
+  const destination = ended && (experiment.destination ?? destinationOf(experiment.recruitment, ended));
+  const parameters = { ...keptForWindow(experiment), ...given };
+  if (ended === "withdrawn")
+    showEarlyEnd(texts, saidOfWithdrawal(experiment, texts), { parameters, destination });
+  else if (ended === "refused")
+    showEarlyEnd(texts, [destination ? texts.refusedHere : texts.refused], { parameters, destination });
+  else if (ends && ended === "screened_out")
+    showEarlyEnd(texts, [texts.screenedOut], { parameters, destination }, leave);
+  else return false;
+  return true;
 }
 
 /** The debriefing, if the study has one. */
@@ -106,8 +133,11 @@ function ownEnding(experiment: Frame, texts: Texts): string[] {
   return experiment.texts.ending.filter((text) => bare(text) !== bare(texts.thanks));
 }
 
-/** Thanks; where no server keeps the answers, with their files, which `save` gives, and the way to the next
-    participant. */
+/** Whether a page without a server is on the participant's own computer, and not on that of the experimenter. */
+const isTakenElsewhere = ({ recruitment }: Frame): boolean => location.protocol !== "file:" || !!recruitment;
+
+/** Thanks; where no server keeps the answers, with their files, which `save` gives: on the
+    participant's own computer, they have to be sent; on that of the experimenter, the next participant follows. */
 export function showEnding(
   mode: Mode, experiment: Frame, store: Pick<Store, "name" | "clear" | "leave">, texts: Texts, save: () => SavedFile[],
   { parameters, destination }: Referral = { parameters: {} }): void {
@@ -116,7 +146,14 @@ export function showEnding(
   if (mode !== "static")
     return show(texts.thanks,
       [...ownEnding(experiment, texts), back.length ? texts.finishedHere : texts.finished], ...back, code);
-  const again = save().map((file) => button(texts.saveFile({ name: file.name }), file.save));
+  const files = save();
+  if (isTakenElsewhere(experiment)) {
+    const again = button(texts.saveAgain, () => files.forEach((file, index) => setTimeout(file.save, 300 * index)));
+    return show(texts.thanks, [...ownEnding(experiment, texts), texts.finishedSend],
+      element("ul", { class: "files" }, ...files.map(({ name }) => element("li", {}, element("code", { dir: "ltr" }, name)))),
+      element("div", { class: "buttons column" }, again), ...back, code);
+  }
+  const again = files.map((file) => button(texts.saveFile({ name: file.name }), file.save));
   const next = button(texts.nextParticipant, () => {
     store.clear?.();
     // The next one gets a plan of his own.

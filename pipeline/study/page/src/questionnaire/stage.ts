@@ -37,6 +37,8 @@ export interface TrialStage {
   play(): void;
   /** Focuses what begins to play. */
   focus(): void;
+  /** Whether the film at this place is playing; where that matters. */
+  isPlaying?(place: number): boolean;
   /** The size of the first of the stimuli, if one can be shown. */
   shownSize(): ShownSize | undefined;
   /** Whether answers may be given at once: since before a reload as much was seen as is asked for, or where it is the

@@ -101,6 +101,16 @@ export class Drawer {
   }
 }
 
+/** The keys of all drawers that hold something. */
+function keysInBrowser(): string[] {
+  const inWindow = Object.keys(textsOfWindow());
+  try {
+    return [...new Set([...Object.keys(localStorage), ...inWindow])];
+  } catch {
+    return inWindow;
+  }
+}
+
 function textsOfWindow(): Record<string, string> {
   try {
     const texts: unknown = JSON.parse(window.name);
@@ -110,10 +120,32 @@ function textsOfWindow(): Record<string, string> {
   }
 }
 
-/** Which plan: ?participant=p003, else a random one of those taken least in this browser. */
+const sessionKey = (design: string): string => `mien/${design}/session`;
+
+/** A session that this browser holds of a page without a server. */
+export interface KeptSession {
+  kept: Remembered;
+  forget(): void;
+}
+
+/** All sessions that this browser holds: that of links that name nobody, and one of each person. */
+export function keptSessions(design: string): KeptSession[] {
+  const key = sessionKey(design);
+  return keysInBrowser().filter((one) => one === key || one.startsWith(`${key}/`)).sort().flatMap((one) => {
+    const drawer = new Drawer(one);
+    const kept = drawer.read<Remembered>();
+    return kept ? [{ kept, forget: () => drawer.clear() }] : [];
+  });
+}
+
+/** Forgets the session of links that name nobody. */
+export const forgetSharedSession = (design: string): void => new Drawer(sessionKey(design)).clear();
+
+/** Which plan: ?participant=p003, else a random one of those taken least in this browser. People whom their links tell
+    apart (`person`) have a session each. */
 export function folderStore<Own extends Named>(
-  experiment: Planned<Own>, wanted: string | null): Store<Own> {
-  const current = new Drawer(`mien/${experiment.design}/session`);
+  experiment: Planned<Own>, wanted: string | null, person = ""): Store<Own> {
+  const current = new Drawer(sessionKey(experiment.design) + (person && `/${person}`));
   const counts = new Drawer(`mien/${experiment.design}/taken`);
   let own = current.read<Remembered>();
   if (own && wanted && own.participant !== wanted) own = null;

@@ -1,7 +1,8 @@
 import { element, heading, paragraphs } from "./elements";
-import type { Planned } from "./experiment";
-import { jatosParameters, jatosStore, type Tables } from "./jatos";
-import { forgetJoined, joinedSession, rememberJoined, type Parameters } from "./recruitment";
+import type { Planned, Recruitment } from "./experiment";
+import { jatosIds, jatosParameters, jatosStore, type Tables } from "./jatos";
+import { EarlyEnds } from "./early_ends";
+import { forgetJoined, joinedSession, personOf, rememberJoined, type Parameters } from "./recruitment";
 import { folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
@@ -20,14 +21,29 @@ export function modeOfPage(): Mode {
 export const linkParameters = async (mode: Mode): Promise<URLSearchParams> =>
   new URLSearchParams(mode === "jatos" ? await jatosParameters() : location.search);
 
+/**
+ * How sessions of this link ended early, where no server knows: by study, by what names the person, and by the plan
+ * that the link chooses. On JATOS, links that name nobody may be opened by several people; there it is by the run.
+ */
+export function earlyEndsOfLink(
+  mode: Mode, experiment: { study: string; design: string; recruitment?: Recruitment }, link: URLSearchParams,
+): EarlyEnds | undefined {
+  if (mode === "served") return undefined;
+  const person = personOf(experiment, link) || (mode === "jatos" ? `run-${jatosIds().result ?? ""}` : "");
+  const plan = link.get("participant");
+  return new EarlyEnds(experiment.study, plan ? `${person}/${plan}` : person);
+}
+
 /** Where the page lies, with a slash at its end. */
 export const base = (): string => location.pathname.replace(/[^/]*$/, "");
 
 export async function storeOf<Own extends { participant: string }>(
   mode: Mode, experiment: Planned<Own>, texts: Texts, tables: Tables<Own>): Promise<Store<Own>> {
   if (mode === "jatos") return jatosStore(experiment, tables);
-  if (mode === "static")
-    return folderStore(experiment, new URLSearchParams(location.search).get("participant"));
+  if (mode === "static") {
+    const link = new URLSearchParams(location.search);
+    return folderStore(experiment, link.get("participant"), personOf(experiment, link));
+  }
   if (experiment.joining)
     return joiningStore(experiment, base(), ({ url_parameters: given = {} }, path) =>
       rememberJoined(experiment, given, path));
@@ -55,15 +71,17 @@ export function show(title: string, texts: string[], ...more: HTMLElement[]): vo
   head.focus();
 }
 
-/** Where nothing more can be taken, and why. */
+/** Where nothing more can be taken, and why. Where the session has ended, the page is loaded again: the server then tells
+    how, and where the participant is sent to. */
 export function showClosed(error: unknown, texts: Texts): void {
   if (!(error instanceof SessionClosed)) {
     console.error(error);
     show(texts.trouble, [error instanceof Error ? error.message : String(error)]);
   } else if (error.why === "elsewhere") {
     show(texts.elsewhere, [texts.goOnThere]);
+  } else if (error.why === "enough") {
+    show(texts.thanks, [texts.enough]);
   } else {
-    const said = { refused: texts.refused, screened_out: texts.screenedOut, withdrawn: texts.withdrawn };
-    show(texts.thanks, [said[error.why as keyof typeof said] ?? texts.enough]);
+    location.reload();
   }
 }

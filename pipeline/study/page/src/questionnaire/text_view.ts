@@ -1,3 +1,4 @@
+import { chooseByKeys, focusChoice } from "./choice_keys";
 import { button, element, heading, paragraphs } from "./elements";
 import type { Demographic, PageRecord, Response } from "./experiment";
 import type { Texts } from "./texts";
@@ -40,16 +41,10 @@ function questionOf(asked: Demographic, texts: Texts): Question {
       return input;
     });
     // Number keys choose here as they do in trials.
-    root.addEventListener("keydown", (event) => {
-      const chosen = /^[1-9]$/.test(event.key) ? inputs[Number(event.key) - 1] : undefined;
-      if (!chosen || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      chosen.focus();
-      chosen.click();
-    });
+    chooseByKeys(root, inputs, (input) => input.click());
     root.append(error);
     return {
-      id: asked.id, root, focus: () => inputs[0]?.focus(),
+      id: asked.id, root, focus: () => focusChoice(root, inputs),
       read() {
         const value = inputs.find((input) => input.checked)?.value ?? null;
         error.textContent = value === null && asked.required ? texts.answerWanted : "";

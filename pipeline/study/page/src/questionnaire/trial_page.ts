@@ -47,12 +47,22 @@ function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownM
   return first ? [shown(first, "alone")] : [];
 }
 
-/** The width that the longest word of the ends of scales needs, in its font's size; Chinese and Japanese break
+/** The letters of the longest word, or part of a word between soft hyphens, in these elements; Chinese and Japanese break
     anywhere. */
-function poleWidth(rows: HTMLElement): number {
-  const words = [...rows.querySelectorAll(".pole")].flatMap((pole) => (pole.textContent ?? "").split(/[\s/-]+/));
+function longestWord(elements: Iterable<Element>): number {
+  const words = [...elements].flatMap(({ textContent }) => (textContent ?? "").split(/[\s/\u00ad-]+/));
   const broken = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}]/u;
-  return 0.65 * Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+  return Math.max(0, ...words.map((word) => (broken.test(word) ? 0 : [...word].length)));
+}
+
+/** The width that the longest word of the ends of scales needs, in its font's size. */
+const poleWidth = (rows: HTMLElement): number => 0.65 * longestWord(rows.querySelectorAll(".pole"));
+
+/** The width that answers need for no word below the points of a scale to be broken. */
+function widthOfPoints(rows: HTMLElement): string {
+  const scales = [...rows.querySelectorAll(".scale.dense")];
+  const points = Math.max(0, ...scales.map((scale) => scale.querySelectorAll(".choice-note").length));
+  return `calc(${points} * (${longestWord(rows.querySelectorAll(".choice-note"))} * 0.46rem + 12px) + 3.4rem)`;
 }
 
 /** One trial: stimuli, answers, a comment; done when all is answered. */
@@ -109,6 +119,7 @@ class TrialAtWork {
       ...this.commentParts(),
       element("div", { class: "buttons" }, this.next, this.note));
     rows.style.setProperty("--pole", `${poleWidth(rows)}em`);
+    page.style.setProperty("--points", widthOfPoints(rows));
     for (const legend of rows.querySelectorAll("legend"))
       if (legend.textContent === this.question()) legend.classList.add("unseen");
     page.append(this.answers);
@@ -118,6 +129,11 @@ class TrialAtWork {
     if (this.stage?.isWatched()) this.open();
     else if (this.stage) this.lock();
     else this.open();
+    if (film) this.next.setAttribute("aria-disabled", "true");  // until the film has been rated
+    film?.onBegin(() => {
+      this.note.textContent = "";
+      for (const { root } of this.asked) root.classList.remove("missing");
+    });
     // Its buttons can have the focus once the films are loaded.
     grid?.onChange(() => {
       if (!page.contains(document.activeElement)) this.focusMissing();
@@ -184,6 +200,7 @@ class TrialAtWork {
 
   private ended(): void {
     this.open();
+    this.next.removeAttribute("aria-disabled");
     // The marker has the focus, and can no longer be moved.
     if (this.trial.kind === "continuous") return this.focusMissing();
     // While it was replayed, the button that had the focus was hidden.
@@ -209,7 +226,7 @@ class TrialAtWork {
 
   private sayMissing(missing: Asked[]): void {
     const { trial, around } = this;
-    this.note.textContent = kindOf(trial).missingText?.(missing, around.texts)
+    this.note.textContent = kindOf(trial).missingText?.(missing, around.texts, this.stage)
       ?? around.texts.missing({ count: missing.length });
     for (const one of this.asked) one.root.classList.toggle("missing", missing.includes(one));
   }
@@ -220,9 +237,9 @@ class TrialAtWork {
   }
 
   /**
-   * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing. Digits
-   * choose an answer to the first question without one, wherever the focus is; in a grid, they play the films. Enter
-   * confirms.
+   * Space plays the stimulus again, also where answers are: whoever presses it once too often chooses nothing, unless
+   * the participant went to an answer. Digits choose an answer to the first question without one, wherever the focus is;
+   * in a grid, they play the films. Enter says what is missing, or goes to the button that confirms; it never chooses.
    */
   private pressed = (event: KeyboardEvent): void => {
     if (document.querySelector("dialog[open]")) return;
@@ -230,8 +247,9 @@ class TrialAtWork {
     const writes = at instanceof HTMLTextAreaElement ||
       (at instanceof HTMLInputElement && at.type === "text");
     const isButton = at instanceof HTMLButtonElement;
+    const isChoice = at instanceof HTMLInputElement && at.type === "radio" && !at.checked;
     const isModified = event.ctrlKey || event.altKey || event.metaKey;
-    if (event.key === " " && this.stage && !isButton && !writes) {
+    if (event.key === " " && this.stage && !isButton && !writes && !isChoice) {
       event.preventDefault();
       this.stage.play();
     } else if (/^[1-9]$/.test(event.key) && !isModified && this.isOpen && !writes &&
@@ -241,7 +259,8 @@ class TrialAtWork {
       else first?.root.dispatchEvent(new KeyboardEvent("keydown", { key: event.key }));
     } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
-      if (at instanceof HTMLInputElement && at.type === "radio" && !at.checked) return at.click();
+      if (event.repeat) return;
+      if (isChoice || at.matches("fieldset.asked")) this.sayMissing(this.missing());
       this.focusMissing();
     }
   };

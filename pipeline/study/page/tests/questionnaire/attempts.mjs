@@ -50,7 +50,7 @@ async function reloaded(replays) {
       await answersOpen(page);
       await page.waitForTimeout(1000);  // the film is ready
       told.offered = await page.locator(".play").isVisible();
-      told.focus = await page.evaluate(() => document.activeElement.matches("fieldset.asked input"));
+      told.focus = await page.evaluate(() => document.activeElement.matches("fieldset.asked"));
       told.is_left = true;
       await answer(page);
     }

@@ -49,18 +49,25 @@ async function byKeys() {
   await page.keyboard.up("ArrowLeft");
   told.tried = Number(await page.locator(".marker").inputValue());
   // Nothing is there to go on with yet.
-  await page.locator(".answers .main").click();
+  const goOn = page.locator(".answers .main");
+  const state = async () => ({ is_disabled: await goOn.getAttribute("aria-disabled") === "true",
+    note: await page.locator(".answers .note").textContent() });
+  await goOn.click({ force: true });
   told.note = await page.locator(".answers .note").textContent();
   await watchInput(page);
   await page.keyboard.press("Space");
   await filmAt(page, 0.1);
   told.begins_at = Number(await page.locator(".marker").inputValue());
+  told.playing = await state();
+  await goOn.click({ force: true });
+  told.pressed = await state();
   await filmAt(page, 1.2);
   await page.keyboard.down("ArrowRight");
   await filmAt(page, 1.7);
   await page.keyboard.up("ArrowRight");
   Object.assign(told, await noted(page));
   await isOver(page);
+  told.over = await state();
   told.is_movable = await page.locator(".marker").isEnabled();
   told.can_replay = await page.locator(".play").isVisible();
   const place = await placeOf(page);

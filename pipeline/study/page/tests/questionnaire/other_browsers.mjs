@@ -26,13 +26,18 @@ async function firefox() {
     run: (body) => page.evaluate(`(() => { ${body} })()`),
     click: (css) => page.click(css),
     type: (css, text) => page.type(css, text),
+    hold: async (key, ms) => {
+      await page.keyboard.down(key);
+      await pause(ms);
+      await page.keyboard.up(key);
+    },
     reload: () => page.reload(),
     close: () => browser.close(),
   };
 }
 
 async function webkit() {
-  const { Builder, By } = required("selenium-webdriver");
+  const { Builder, By, Key } = required("selenium-webdriver");
   const port = 20000 + (process.pid % 20000);
   // The browser's own sandbox needs rights that containers do not give.
   const driver = spawn("xvfb-run", ["-a", "-s", "-screen 0 1500x1000x24", "WebKitWebDriver", `--port=${port}`],
@@ -55,6 +60,9 @@ async function webkit() {
     run: (body) => browser.executeScript(body),
     click: async (css) => (await at(css)).click(),
     type: async (css, text) => (await at(css)).sendKeys(text),
+    hold: async (_key, ms) => {
+      await browser.actions({ async: true }).keyDown(Key.ARROW_RIGHT).pause(ms).keyUp(Key.ARROW_RIGHT).perform();
+    },
     reload: () => browser.navigate().refresh(),
     close: async () => {
       await browser.quit();
@@ -77,6 +85,17 @@ async function until(condition) {
 
 const marked = "document.querySelector('.page, .trial')?.dataset.mark";
 
+/** Holds an arrow key while the film plays; where it stops and begins anew, once more. */
+async function rateWhilePlaying() {
+  const isOver = "document.activeElement?.matches('.answers .main')";
+  while (!(await browser.run(`return !!(${isOver})`))) {
+    await until(`document.querySelector('.stage.playing video')?.currentTime > 0.6 || !document.querySelector('.play').hidden || ${isOver}`);
+    if (await browser.run("return !document.querySelector('.play').hidden")) await browser.click(".play");
+    else await browser.hold("ArrowRight", 400);
+    await until(`!document.querySelector('.play').hidden || ${isOver} || document.querySelector('.stage.playing video')?.currentTime < 0.6`);
+  }
+}
+
 async function take() {
   let reloads = 0;
   for (let pages = 0; pages < 60; pages += 1) {
@@ -97,6 +116,12 @@ async function take() {
           await pause(300);
           reloads += 1;
           await browser.reload();
+          continue;
+        }
+        if (await browser.run("return !!document.querySelector('.marker')")) {
+          await rateWhilePlaying();
+          await browser.click(".answers .main");
+          await until(`${marked} !== 'seen'`);
           continue;
         }
         // On a busy machine, WebKit may stop playing and not tell it.

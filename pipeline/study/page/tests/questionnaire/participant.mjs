@@ -113,7 +113,7 @@ async function answerByKeys(page, number) {
   const wanted = await page.locator(".question-text").textContent();
   const asked = await page.locator("fieldset.asked").count();
   for (let i = 0; i < asked; i += 1) {
-    await focus("fieldset.asked input");
+    await focus("fieldset.asked, fieldset.asked input");
     const all = await page.evaluate(() =>
       document.activeElement.closest("fieldset").querySelectorAll("input").length);
     const named = await namedPlace(page.locator("fieldset.asked").nth(i).locator("input"), wanted);
@@ -121,8 +121,7 @@ async function answerByKeys(page, number) {
     if (i % 2 === 0 || all > 9) {
       await page.keyboard.press(String(place + 1));
     } else {
-      await page.keyboard.press("Enter");  // the first
-      for (let step = 0; step < place; step += 1) await page.keyboard.press("ArrowRight");
+      for (let step = 0; step <= place; step += 1) await page.keyboard.press("ArrowRight");
       await page.keyboard.press("Enter");
     }
   }

@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { bundled } from "../bundled.mjs";
 
-const { completedEnd, destinationOf, keptParameters, parametersOf } = await bundled("questionnaire/recruitment.ts");
+const { completedEnd, destinationOf, keptParameters, parametersOf, personOf } = await bundled("questionnaire/recruitment.ts");
 const { screeningFault } = await bundled("questionnaire/screening.ts");
 const { hasCountedTones, toneCount } = await bundled("questionnaire/tone_count.ts");
 
@@ -26,6 +26,19 @@ test("hashes the same value of one study alike, and of another study differently
   assert.notEqual(await hash("d", "x"), await hash("e", "x"));
   assert.match(await hash("d", "x"), /^[0-9a-f]{32}$/);
   assert.deepEqual(await keptParameters({ design: "d", recruitment }, { id: "x" }, true), { id: "x" });
+});
+
+test("tells people apart by what names them in the link, and shows it to nobody", () => {
+  const who = (link) => personOf({ design: "d", recruitment }, new URLSearchParams(link));
+  const first = who("PROLIFIC_PID=5f01&SESSION_ID=a&STUDY_ID=s");
+  assert.match(first, /^[0-9a-f]{16}$/);
+  assert.equal(who("SESSION_ID=b&PROLIFIC_PID=5f01"), first);
+  assert.notEqual(who("PROLIFIC_PID=5f02&SESSION_ID=a"), first);
+  assert.equal(who(""), "");
+  assert.equal(who("other=1&participant=p001"), "");
+  assert.notEqual(who("id=1&group=2"), who("id=2&group=2"));
+  assert.notEqual(who("SESSION_ID=a"), who("SESSION_ID=b"));
+  assert.equal(personOf({ design: "d" }, new URLSearchParams("id=1")), "", "only what the study keeps");
 });
 
 const session = { trials: [1, 2, 3].map((number) => ({ number, expected: "5", practice: number === 1 })) };

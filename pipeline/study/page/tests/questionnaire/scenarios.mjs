@@ -305,8 +305,17 @@ async function laboratory() {
   await take(joined.page);
   told.joined = await text(joined.page);
   const after = await lab();
-  const troubles = [mouse, keys, sentAway, refusing, joined].flatMap((one) => one.troubles);
-  return { ...told, reloads, troubles, path: new URL(joined.page.url()).pathname,
+  // The experimenter's page: nobody is missing because people come by the link of all.
+  const monitor = await open(status.replace(/status\.json$/, ""));
+  await monitor.page.waitForSelector("#participants tr");
+  const listed = () => monitor.page.locator("#participants th").allTextContents();
+  const monitored = { rows: await listed(), unopened: await monitor.page.locator("#unopened").textContent() };
+  await monitor.page.locator("#unopened").click();
+  monitored.all = await listed();
+  monitored.states = await monitor.page.locator("#participants .state").allTextContents();
+  monitored.hide = await monitor.page.locator("#unopened").textContent();
+  const troubles = [mouse, keys, sentAway, refusing, joined, monitor].flatMap((one) => one.troubles);
+  return { ...told, reloads, troubles, monitored, path: new URL(joined.page.url()).pathname,
     participants: [before.length, between.length, after.length], states: after.map(({ state }) => state) };
 }
 
@@ -420,7 +429,11 @@ async function calibrated() {
     const { page } = opened;
     await page.locator(".page .buttons .main").click();
     await page.waitForSelector(".calibration");
+    const confirm = async () => ({ is_disabled: await page.locator(".calibration .main").isDisabled(),
+      why: await page.locator(".card-first").textContent() });
+    told.before = await confirm();
     await page.locator(".card-width input").fill("400");
+    told.after = await confirm();
     await page.locator(".card-width button").last().click();
     await page.locator(".card-width button").first().click();
     told.card = await page.locator(".card").evaluate((card) => card.getBoundingClientRect().width);
@@ -539,26 +552,52 @@ async function singleKeys() {
   let chosen = null;
   let back = null;
   let byDigit = null;
-  await take(page, { each: async (sight, number) => {
-    if (sight !== "trial" || number !== 1 || replayed !== null) return false;
-    await page.locator(".play").click();
+  let entered = {};
+  const afterReload = async () => {
     await page.waitForFunction(() => !document.querySelector(".answers").inert);
-    await page.waitForFunction(() => document.activeElement.matches('input[type="radio"]'));
-    await page.keyboard.press("Space");
-    replayed = await page.locator(".stage.playing").count();
-    chosen = await page.locator("fieldset.asked input:checked").count();
-    await page.waitForFunction(() => !document.querySelector(".stage.playing"));
-    back = await page.evaluate(() => document.activeElement.matches('input[type="radio"]'));
+    const valueOf = (place) => page.locator("fieldset.asked").nth(place).locator("input:checked").getAttribute("value");
+    await page.keyboard.press("ArrowLeft");
+    entered.by_arrow = [await valueOf(0)];
+    await page.keyboard.press("ArrowRight");
+    entered.by_arrow.push(await valueOf(0));
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press("2");
-    byDigit = await page.locator("fieldset.asked").first().locator("input:checked").getAttribute("value");
+    byDigit = await valueOf(1);
+    await page.reload();
+    return true;
+  };
+  await take(page, { each: async (sight, number) => {
+    if (sight !== "trial" || number !== 1 || byDigit !== null) return false;
+    if (replayed !== null) return afterReload();
+    await page.locator(".play").click();
+    await page.waitForFunction(() => !document.querySelector(".answers").inert);
+    const isAtGroup = () => page.evaluate(() => document.activeElement.matches("fieldset.asked"));
+    const countChosen = () => page.locator("fieldset.asked input:checked").count();
+    await page.waitForFunction(() => document.activeElement.matches("fieldset.asked"));
+    await page.keyboard.press("Space");
+    replayed = await page.locator(".stage.playing").count();
+    chosen = await countChosen();
+    await page.waitForFunction(() => !document.querySelector(".stage.playing"));
+    back = await isAtGroup();
+    // Enter chooses nothing, at the question or at an answer, and says what is missing.
+    await page.keyboard.press("Enter");
+    entered = { note: await page.locator(".answers .note").textContent(), is_at_group: await isAtGroup() };
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    entered.chosen = await countChosen();
+    // Space chooses the answer that the participant went to; the page is loaded again before the last step.
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Space");
+    entered.by_space = await countChosen();
+    await page.keyboard.press("Space");
+    entered.replayed = await page.locator(".stage.playing").count();
     await page.reload();
     return true;
   } });
   const touched = await open(`${onDisk}?participant=p001`, { ...phone, screen: { width: 800, height: 1200 } });
   await touched.page.locator(".page .buttons .main").click();
   await touched.page.waitForFunction(() => document.querySelectorAll(".page .button").length === 1);
-  return { shown, is_there: isThere, replayed, chosen, back, by_digit: byDigit,
+  return { shown, is_there: isThere, replayed, chosen, back, entered, by_digit: byDigit,
     desktop_text: desktopText,
     touched_text: await touched.page.locator("main").innerText(), troubles };
 }
@@ -651,6 +690,38 @@ async function crowded() {
   return { foot: Math.round(foot.y + foot.height), suggested, ...sizes };
 }
 
+/** Words below seven points of a scale that are broken, where the language does not break them, by language and width. */
+async function points() {
+  const files = await filesOf(folder);
+  const broken = {};
+  for (const language of ["ar", "de", "en", "es", "fi", "fr"]) {
+    const experiment = JSON.parse(files["/experiment.json"]);
+    experiment.language = language;
+    experiment.settings.phones = "served";
+    for (const item of Object.values(experiment.items)) item.points = 7;
+    for (const session of experiment.sessions)
+      session.trials = session.trials.filter(({ kind }) => kind === "rating").slice(0, 1)
+        .map((trial) => ({ ...trial, reference: "", number: 1, items: trial.items.slice(0, 3) }));
+    const server = await serve({ ...files,
+      "/experiment.js": Buffer.from(`globalThis.mienExperiment = ${JSON.stringify(experiment)};`) });
+    const { page } = await open(`${server.base}/index.html?participant=p001`, { viewport: { width: 1024, height: 700 } });
+    await takeToTrial(page);
+    for (const [width, height] of [[1280, 800], [1024, 700], [390, 844]]) {
+      await page.setViewportSize({ width, height });
+      broken[`${language} ${width}`] = await page.evaluate(() => [...document.querySelectorAll(".choice-note")].flatMap((note) => {
+        const range = document.createRange();
+        return [...note.textContent.matchAll(/[^\s\u00ad]+/gu)].filter(({ index, 0: word }) => {
+          range.setStart(note.firstChild, index);
+          range.setEnd(note.firstChild, index + word.length);
+          return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
+        }).map(([word]) => word);
+      }));
+    }
+    server.close();
+  }
+  return broken;
+}
+
 /** Until the answers of a first trial are open. */
 async function takeToTrial(page) {
   let isThere = false;
@@ -691,9 +762,8 @@ async function languages() {
   const points = (await start(server, "ar-EG")).page;
   await takeToTrial(points);
   const inputs = points.locator("fieldset.asked").first().locator("input");
-  await inputs.first().focus();
-  await points.keyboard.press("Enter");
-  for (let step = 0; step < 2; step += 1) await points.keyboard.press("ArrowLeft");
+  await points.locator("fieldset.asked").first().focus();
+  for (let step = 0; step < 3; step += 1) await points.keyboard.press("ArrowLeft");
   const checked = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
   await points.keyboard.press("ArrowRight");
   const back = await inputs.evaluateAll((all) => all.findIndex((input) => input.checked));
@@ -793,7 +863,7 @@ const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.jso
 
 const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
-  thanks_again: thanksAgain, crowded, heard, languages, set, grid };
+  thanks_again: thanksAgain, crowded, heard, languages, points, set, grid };
 if (!scenarios[name]) {
   console.error(`usage: ${basename(process.argv[1])} ${Object.keys(scenarios).join("|")} FOLDER`);
   process.exit(2);

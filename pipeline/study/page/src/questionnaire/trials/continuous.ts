@@ -70,7 +70,7 @@ export const continuous: TrialKind = {
     return texts.rateContinuous(first?.flipped ? { low: high, high: low } : { low, high });
   },
 
-  missingText: (_missing, texts) => texts.rateWhilePlaying,
+  missingText: (_missing, texts, stage) => (stage?.isPlaying?.(0) ? texts.rateNow : texts.rateWhilePlaying),
 
   /** The mean after the lead, towards the high end. */
   meaning(trial, { item: id }, raw, experiment) {

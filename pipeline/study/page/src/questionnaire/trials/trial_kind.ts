@@ -60,7 +60,7 @@ export interface TrialKind {
   /** What stands above it where the study has no question of its own. */
   question(trial: Trial, experiment: Experiment, texts: Texts): string;
   /** What has to be done yet, in words; otherwise it is counted. */
-  missingText?(missing: Asked[], texts: Texts): string;
+  missingText?(missing: Asked[], texts: Texts, stage: { isPlaying?(place: number): boolean } | null): string;
   /** `raw` is the response's raw answer as tables have it; `stimulus` tells what a token stands for. */
   meaning(trial: Trial, response: Response, raw: string, experiment: Experiment,
     stimulus: (token: string | undefined) => string): Meaning;
