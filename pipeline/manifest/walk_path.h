@@ -134,8 +134,8 @@ std::vector<std::string> moods_of(const WalkPath& path);
 /// Returns a short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
 
-/// Returns the moods of a walk in the order of time; successive ones differ, and the first begins at
-/// 0. `segment_starts`: of a script, the time at which each step begins, seconds; changes along
+/// Returns the moods of a walk in the order of time; successive ones differ, and the first begins
+/// at 0. `segment_starts`: of a script, the time at which each step begins, seconds; changes along
 /// points have their own times.
 std::vector<ShownMood> moods_in_order(const WalkPath& path,
                                       const std::vector<double>& segment_starts);

@@ -31,8 +31,7 @@ std::vector<ShownMood> shown_moods(Motions& motions, const Stimulus& stimulus) {
   if (!stimulus.walk) return {};
   const motion::Clip shown = motions.shown(stimulus);
   std::vector<ShownMood> moods = moods_of_film(motions, stimulus, shown);
-  for (std::size_t i = 1; i < moods.size(); ++i)
-    moods[i].from_s += seconds_before(stimulus, shown);
+  for (std::size_t i = 1; i < moods.size(); ++i) moods[i].from_s += seconds_before(stimulus, shown);
   return moods;
 }
 

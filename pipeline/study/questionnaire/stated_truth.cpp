@@ -39,7 +39,9 @@ std::vector<std::string> rated_stimuli(const Manifest& manifest) {
 class TruthReader {
  public:
   TruthReader(const Manifest& manifest, const CsvTable& table)
-      : table_(table), scales_(questionnaire_scales(manifest)), stimuli_(rated_stimuli(manifest)),
+      : table_(table),
+        scales_(questionnaire_scales(manifest)),
+        stimuli_(rated_stimuli(manifest)),
         is_continuous_(questionnaire_of(manifest).trials->is_continuous) {
     for (const Scale& scale : scales_.scales) names_.push_back(scale.id);
     const TrialForm& form = *questionnaire_of(manifest).trials;
@@ -150,8 +152,8 @@ std::string example_of_truth(const Manifest& manifest) {
     for (std::size_t i = 0; i < stimuli.size() && rows < most_rows; ++i, ++rows) {
       const double share = static_cast<double>(i + 1) / static_cast<double>(stimuli.size() + 1);
       const double value = scale.least + share * (scale.most - scale.least);
-      table += fmt::format("  {},{},{:g}\n", stimuli[i], scale.id,
-                           std::round(100.0 * value) / 100.0);
+      table +=
+          fmt::format("  {},{},{:g}\n", stimuli[i], scale.id, std::round(100.0 * value) / 100.0);
     }
   }
   return table;
