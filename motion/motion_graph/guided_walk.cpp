@@ -112,6 +112,7 @@ struct ScriptMoments {
   std::vector<double> speeds;      ///< m/s
   std::vector<double> headings;    ///< radians
   std::vector<HeadingGoal> goals;  ///< at the ends of walks and stands, and at the last
+  std::vector<double> starts;      ///< of the segments, seconds
   std::vector<MoodChange> moods;
 };
 
@@ -127,10 +128,9 @@ void add_moments(const WalkSegment& segment, double brisk, ScriptMoments& moment
                 "give seconds, degrees and weights");
   }
   double heading = moments.headings.empty() ? 0.0 : moments.headings.back();
-  if (!segment.moods.empty()) {
-    const auto before = static_cast<double>(moments.headings.size());
-    moments.moods.push_back({before * moments.seconds_each, segment.moods});
-  }
+  const double start = static_cast<double>(moments.headings.size()) * moments.seconds_each;
+  moments.starts.push_back(start);
+  if (!segment.moods.empty()) moments.moods.push_back({start, segment.moods});
   for (int f = 0; f < std::lround(seconds / moments.seconds_each); ++f) {
     heading += stands ? 0.0 : radians_per_degree * rate * moments.seconds_each;
     moments.speeds.push_back(stands ? 0.0 : segment.pace * brisk);
@@ -267,6 +267,7 @@ GuidedWalk scripted_walk(std::span<const MotionGraph> versions, std::span<const 
   begins.added_headings = correction.added;
   make_clip(mixed, begins, guided);
   guided.missed = missed_turn(moments, correction);
+  guided.segment_starts = moments.starts;
   return guided;
 }
 

@@ -32,6 +32,8 @@ struct GuidedWalk {
   Clip clip;
   std::vector<FootPlant> plants;     ///< foot plants of the clip
   std::optional<MissedTurn> missed;  ///< the turn of a script with the largest error, if over 5°
+  /// Of a script: the time of the clip at which each segment begins, seconds; otherwise empty.
+  std::vector<double> segment_starts = {};
 };
 
 /// A walk along a path on the floor (a polyline; x, z in metres), found in stretches by branch and

@@ -167,12 +167,14 @@ WalkedClip scripted_walk(const WalkerGaits& gaits, std::span<const WalkSegment> 
   require_number(!script.empty(), "an empty script for a walk", "give at least one segment");
   double heading = options.heading;
   Filming film = filming(gaits, options, options.place, heading);
+  std::vector<double> starts;
   for (const WalkSegment& segment : script) {
     check_segment(segment);
+    starts.push_back(film.clip.duration_seconds());
     if (!segment.moods.empty()) film.moods = segment.moods;
     film_segment(film, segment, heading);
   }
-  return {std::move(film.clip), std::move(film.plants)};
+  return {std::move(film.clip), std::move(film.plants), std::move(starts)};
 }
 
 WalkedClip walk_along(const WalkerGaits& gaits, std::span<const Vec3> polyline, double pace,

@@ -35,6 +35,8 @@ struct MoodChange {
 struct WalkedClip {
   Clip clip;
   std::vector<FootPlant> plants;
+  /// Of a script: the time of the clip at which each segment begins, seconds; otherwise empty.
+  std::vector<double> segment_starts = {};
 };
 
 struct ScriptedWalkOptions {

@@ -16,6 +16,7 @@
 #include "pipeline/manifest/checks/take_checks.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/design/design_findings.h"
+#include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/rehearsal.h"
 #include "pipeline/production/synthesis/parameter_request.h"
 
@@ -125,6 +126,9 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
   findings.faults = rehearse(rehearsed, motions);
   findings.stimuli = reading.manifest.stimuli.size();
   findings.rehearsed = rehearsed.stimuli.size();
+  if (!findings.faults.empty()) return findings;
+  if (rehearsed.questionnaire && rehearsed.questionnaire->trials->is_continuous)
+    findings.faults = continuous_film_faults(rehearsed, video_seconds(rehearsed, motions));
   if (!findings.faults.empty()) return findings;
   findings.requested = requested_parameters(reading.manifest, motions);
   for (const DesignWarning& warning :

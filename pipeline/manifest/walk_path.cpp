@@ -44,6 +44,28 @@ std::string described(const WalkStep& step) {
   return text + described(step.mood);
 }
 
+/// "sad", "0.6 sad and 0.4 tired", "0.8 quickness": a single walk is itself, whatever its weight.
+std::string mood_words(const WalkPath& path, Mood mood) {
+  std::erase_if(mood, [](const auto& one) { return one.second == 0.0; });
+  const bool is_walk = mood.size() == 1 && path.graph.empty() && !is_of_adjectives(path, mood);
+  if (is_walk) return mood.front().first;
+  std::string text;
+  for (const auto& [name, weight] : mood)
+    text += (text.empty() ? "" : " and ") + shortest(weight) + " " + name;
+  return text;
+}
+
+/// The mood in which it begins.
+std::string first_mood_words(const WalkPath& path) {
+  const Mood& first = !path.script.empty() && !path.script.front().mood.empty()
+                          ? path.script.front().mood
+                          : path.mood;
+  if (!first.empty()) return mood_words(path, first);
+  if (!path.graph.empty()) return "as captured";
+  const std::vector<std::string> walks = walks_of(path);
+  return walks.empty() ? "" : walks.front();
+}
+
 }  // namespace
 
 void WalkPathForm::read(const DocumentValue& given, std::optional<WalkPath>& path) {
@@ -111,6 +133,23 @@ std::string described(const WalkPath& path) {
   for (const MoodChange& change : path.moods)
     text += ", from " + shortest(change.seconds) + " s" + described(change.mood);
   return text;
+}
+
+std::vector<ShownMood> moods_in_order(const WalkPath& path,
+                                      const std::vector<double>& segment_starts) {
+  std::vector<ShownMood> moods = {{0.0, first_mood_words(path)}};
+  const auto change = [&](double seconds, const Mood& mood) {
+    const std::string words = mood_words(path, mood);
+    if (mood.empty() || words == moods.back().mood) return;
+    if (seconds <= moods.back().from_s)
+      moods.back().mood = words;
+    else
+      moods.push_back({seconds, words});
+  };
+  for (std::size_t i = 1; i < std::min(path.script.size(), segment_starts.size()); ++i)
+    change(segment_starts[i], path.script[i].mood);
+  for (const MoodChange& one : path.moods) change(one.seconds, one.mood);
+  return moods;
 }
 
 std::vector<std::pair<std::string, Mood>> places_of_moods(const WalkPath& path) {

@@ -55,6 +55,14 @@ void fields_of(auto&& field, MaybeConst<MoodChange> auto& change) {
   field("mood", change.mood, concerns::motion | concerns::required);
 }
 
+/// A mood in which a walk is shown from a time on, until that of the next one.
+struct ShownMood {
+  double from_s = 0.0;  ///< seconds of what is shown; 0 of the first
+  std::string mood;     ///< in words: "sad", "0.6 sad + 0.4 tired"
+
+  friend bool operator==(const ShownMood&, const ShownMood&) = default;
+};
+
 /// A position on the floor, metres: {x, z}, with +Z ahead and +X to the left.
 using FloorPoint = std::array<double, 2>;
 
@@ -125,6 +133,12 @@ std::vector<std::string> moods_of(const WalkPath& path);
 
 /// Returns a short description: "walk 3 s, turn 90°, stand 1 s like sad", "4.2 m over 3 points".
 std::string described(const WalkPath& path);
+
+/// Returns the moods of a walk in the order of time; successive ones differ, and the first begins
+/// at 0. `segment_starts`: of a script, the time at which each step begins, seconds; changes along
+/// points have their own times.
+std::vector<ShownMood> moods_in_order(const WalkPath& path,
+                                      const std::vector<double>& segment_starts);
 
 /// Returns all moods of the walk, each with its key in the document below `path:`: "mood",
 /// "script[1].mood", "moods[0].mood" ("[1].mood" if `path:` is a list of steps).

@@ -112,6 +112,21 @@ TEST(CommandLine, NamesTheWordsThatAnOptionTakes) {
       << told({"--unreachable", "rejct"});
 }
 
+TEST(CommandLine, CheckComparesFilmsWithTheLeadOfContinuousTrials) {
+  const Scratch scratch;
+  const fs::path file = scratch.write("short.yaml", R"(mien: 1
+study: short
+output: {video: [mp4]}
+questionnaire: {participants: 2, scales: [sad-happy], trials: continuous, continuous: {lead: 20}}
+stimuli:
+  - {id: a, path: [{walk: 2}, {stand: 1}]}
+)");
+  const Ended ended = run_mien({"check", file.string()});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_TRUE(contains(ended.errors, ":6:5: ")) << ended.errors;
+  EXPECT_TRUE(contains(ended.errors, "is over before the lead of 20 s")) << ended.errors;
+}
+
 TEST(CommandLine, CheckTellsEveryFaultAndWritesNothing) {
   const Scratch scratch;
   const fs::path bad = scratch.write("bad.yaml", R"(mien: 1

@@ -137,6 +137,21 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
+  const auto count_of = [](const std::string& text, const std::string& part) {
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_NE(frozen.errors.find("the archive states no power analysis"), std::string::npos)
+      << frozen.errors;
+  const std::string with_power = (folder.path() / "power.zip").string();
+  const Ended powered =
+      run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(), "--freeze",
+                with_power, "--out", made, "--power", "--studies", "100"});
+  ASSERT_EQ(powered.code, 0) << powered.errors;
+  // Before its bytes and in the list at the end; the README may name it, too.
+  EXPECT_EQ(count_of(text_of(with_power), "power.txt"), count_of(names, "power.txt") + 2);
+  EXPECT_EQ(powered.errors.find("no power analysis"), std::string::npos) << powered.errors;
 
   const Ended same = report({answers, "--frozen", bundle, "--studies", made});
   EXPECT_NE(same.output.find("The simulated answers are to the study as registered in frozen.zip."),
@@ -149,6 +164,10 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   for (const char* told : {"--correction none instead of the registered holm",
                            "--max-failed-checks 5 instead of the registered 1"})
     EXPECT_NE(other.output.find(told), std::string::npos) << other.output;
+  EXPECT_NE(text_of(out / "report.html")
+                .find("Deviation from the analysis that the manifest states: --max-failed-checks 5 "
+                      "instead of 1."),
+            std::string::npos);
 }
 
 TEST_F(ReportedStudy, CountsWhatWasSavedTwiceOnce) {

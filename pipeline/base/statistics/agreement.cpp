@@ -14,6 +14,9 @@ namespace {
 
 constexpr double no_reliability = std::numeric_limits<double>::quiet_NaN();
 
+/// A whole that is this share of what it is the sum of is 0 but for rounding errors.
+constexpr double rounding_share = 1e-12;
+
 /// A rated cell of the table, rows and columns without answers left out.
 struct RatedCell {
   Eigen::Index stimulus;
@@ -111,19 +114,26 @@ double total_squares(const RatedCells& rated) {
   double mean = 0.0;
   for (const RatedCell& cell : rated.cells) mean += cell.value;
   mean /= static_cast<double>(rated.cells.size());
-  double sum = 0.0;
-  for (const RatedCell& cell : rated.cells) sum += (cell.value - mean) * (cell.value - mean);
-  return sum;
+  double sum = 0.0, size = 0.0;
+  for (const RatedCell& cell : rated.cells) {
+    sum += (cell.value - mean) * (cell.value - mean);
+    size += cell.value * cell.value;
+  }
+  return sum <= rounding_share * rounding_share * size ? 0.0 : sum;
 }
 
-double part_of(double part, double whole) { return whole == 0.0 ? no_reliability : part / whole; }
+/// `size`: of the terms whose sum `whole` is. Sums of variances that are estimated as 0 or less
+/// have no parts.
+double part_of(double part, double whole, double size) {
+  return whole <= rounding_share * size ? no_reliability : part / whole;
+}
 
 void set_one_way_icc(Intraclass& result, double total, double within) {
   const double n = result.stimuli;
   const double msb = (total - within) / (n - 1.0);
   const double msw = within / (result.answers - n);
-  result.one = part_of(msb - msw, msb + (result.answers_per_stimulus - 1.0) * msw);
-  result.one_k = part_of(msb - msw, msb);
+  result.one = part_of(msb - msw, msb + (result.answers_per_stimulus - 1.0) * msw, msb + msw);
+  result.one_k = part_of(msb - msw, msb, msb + msw);
 }
 
 void set_two_way_icc(Intraclass& result, const Residuals& residuals) {
@@ -136,10 +146,11 @@ void set_two_way_icc(Intraclass& result, const Residuals& residuals) {
   const double stimuli = (residuals.of_raters - residuals.of_both - (n - 1.0) * rest) / (all - k);
   const double raters = (residuals.of_stimuli - residuals.of_both - (k - 1.0) * rest) / (all - n);
   const double usual = result.answers_per_stimulus;
-  result.two = part_of(stimuli, stimuli + raters + rest);
-  result.two_k = part_of(stimuli, stimuli + (raters + rest) / usual);
-  result.three = part_of(stimuli, stimuli + rest);
-  result.three_k = part_of(stimuli, stimuli + rest / usual);
+  const double size = std::abs(stimuli) + std::abs(raters) + rest;
+  result.two = part_of(stimuli, stimuli + raters + rest, size);
+  result.two_k = part_of(stimuli, stimuli + (raters + rest) / usual, size);
+  result.three = part_of(stimuli, stimuli + rest, size);
+  result.three_k = part_of(stimuli, stimuli + rest / usual, size);
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -148,7 +159,9 @@ double variance(const Eigen::VectorXd& values) {
   return (values.array() - values.mean()).square().sum() / static_cast<double>(values.size() - 1);
 }
 
-double ratio(double above, double below) { return below == 0.0 ? unknown : above / below; }
+double ratio(double above, double below) {
+  return below <= rounding_share * above || below == 0.0 ? unknown : above / below;
+}
 
 Eigen::MatrixXd complete_columns(const Eigen::MatrixXd& answers) {
   std::vector<Eigen::Index> complete;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@
 #include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/production/methods/methods.h"
+#include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/power/power_output.h"
 #include "pipeline/study/questionnaire/balance.h"
-#include "pipeline/study/questionnaire/continuous_films.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -54,12 +55,14 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
   add_folder(files, folder.path(), "dummy-report");
 }
 
-/// Builds the preregistration archive of a study in the folder `made`, with simulated answers and
-/// the report on them. Throws Error if its media are missing, or if `file` exists with other bytes,
-/// so that a registered archive is not overwritten. Writes nothing to disk.
+/// Builds the preregistration archive of a study in the folder `made`, with the files on `power`,
+/// simulated answers and the report on them. Throws Error if its media are missing, or if `file`
+/// exists with other bytes, so that a registered archive is not overwritten. Writes nothing to
+/// disk.
 FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                             const fs::path& made, const fs::path& file) {
+                             const ZipFiles& power, const fs::path& made, const fs::path& file) {
   ZipFiles files = frozen_design(manifest, plans, made);
+  files.insert(power.begin(), power.end());
   const Methods procedure = procedure_of(manifest);
   files["procedure.md"] =
       "*The sections of the methods as they will be stated after the study, if it is run as "
@@ -183,18 +186,13 @@ std::optional<PlannedTestsResult> planned_tests_of(const DesignCommand& command,
                                 manifest, console);
 }
 
-std::string minutes(double seconds) { return fmt::format("{:.1f} min", seconds / 60.0); }
-
 void print_duration(const std::vector<SessionPlan>& plans, const Console& console,
                     std::ostream& out) {
-  const auto [shortest, longest] =
-      std::ranges::minmax_element(plans, {}, &SessionPlan::expected_seconds);
-  const std::string least = minutes(shortest->expected_seconds);
-  const std::string most = minutes(longest->expected_seconds);
-  out << "Expected duration of a session: " << (least == most ? most : least + " to " + most)
-      << ".\n";
+  const auto longest = std::ranges::max_element(plans, {}, &SessionPlan::expected_seconds);
+  out << "Expected duration of a session: " << duration_text(plans) << ".\n";
   if (longest->expected_seconds <= recommended_session_seconds) return;
-  console.err << "warning: a session of more than " << minutes(recommended_session_seconds)
+  console.err << "warning: a session of more than "
+              << fmt::format("{:g} min", recommended_session_seconds / 60.0)
               << " is long; show each participant fewer stimuli (questionnaire.per_participant) or "
                  "ask fewer scales\n";
 }
@@ -210,9 +208,10 @@ std::string trials_text(const std::vector<SessionPlan>& plans) {
     }
     return least == most ? std::to_string(most) : fmt::format("{} to {}", least, most);
   };
-  std::string text =
-      fmt::format("{} trials each: {} analysed", counted([](const Trial&) { return true; }),
-                  counted([](const Trial& trial) { return trial.is_analysed(); }));
+  const std::string all = counted([](const Trial&) { return true; });
+  const std::string number_of_trials = all + (all == "1" ? " trial" : " trials");
+  std::string text = fmt::format("{} each: {} analysed", number_of_trials,
+                                 counted([](const Trial& trial) { return trial.is_analysed(); }));
   const auto add = [&](const std::string& count, const char* what) {
     if (count != "0") text += fmt::format(", {} {}", count, what);
   };
@@ -227,7 +226,8 @@ std::string trials_text(const std::vector<SessionPlan>& plans) {
 
 void print_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                   const Balance& balance, const Console& console, std::ostream& out) {
-  out << fmt::format("{}: {} participants, {}\n", manifest.study, plans.size(), trials_text(plans));
+  out << fmt::format("{}: {}, {}\n", manifest.study,
+                     counted_noun(plans.size(), "participant", "participants"), trials_text(plans));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
     out << sentence << '\n';
@@ -270,21 +270,30 @@ int design(const DesignCommand& command, const Console& console) {
   warn_of_usual_spread(command, manifest, console);
   const std::optional<PlannedTestsResult> tests = planned_tests_of(command, manifest, console);
   if (tests) tables.back().csv = power_table(tests->rows).csv;
+  std::ostringstream power;  // told to people, and registered
+  if (tests)
+    print_planned_tests(*tests, command.question.wanted_power, manifest, power);
+  else if (command.power)
+    print_power(command, manifest, console, power);
+  ZipFiles power_files;
+  if (command.power) power_files["power.txt"] = power.str().substr(1);  // without an empty line
+  if (tests) power_files["planned-tests.csv"] = tables.back().csv;
   std::optional<FrozenArchive> archive;
   if (!command.frozen.empty())
-    archive =
-        frozen_archive(manifest, plans, fs::path(command.out) / manifest.study, command.frozen);
+    archive = frozen_archive(manifest, plans, power_files, fs::path(command.out) / manifest.study,
+                             command.frozen);
   // The plans go to standard output unless a file is given; messages then go to standard error.
   std::ostream& out = command.plans.empty() ? console.err : console.out;
   if (command.plans.empty()) console.out << tables[0].csv;
   print_design(manifest, plans, balance, console, out);
   print_warnings(questionnaire_warnings(manifest), console);
-  if (tests)
-    print_planned_tests(*tests, command.question.wanted_power, manifest, out);
-  else if (command.power)
-    print_power(command, manifest, console, out);
+  out << power.str();
   if (archive) {
     warn_of_no_plan(manifest, console);
+    if (!command.power)
+      console.err
+          << "note: the archive states no power analysis; --power, with --planned-tests for "
+             "the tests of the analysis plan, adds one\n";
     write_archive(*archive);
     out << command.frozen << ": " << archive->files << " files\n";
   }

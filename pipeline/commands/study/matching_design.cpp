@@ -12,6 +12,7 @@
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/orders.h"
+#include "pipeline/study/questionnaire/session_duration.h"
 
 namespace mien::pipeline {
 
@@ -42,8 +43,8 @@ void print_matching(const Manifest& manifest, const std::vector<SessionPlan>& pl
     out << fmt::format(
         "Targets, positions and interfaces are balanced if it is a multiple of {}.\n", whole);
   out << fmt::format(
-      "Expected duration of a session: {:.0f} min, assuming half of the time limit per match.\n",
-      plans[0].expected_seconds / 60.0);
+      "Expected duration of a session: {}, assuming half of the time limit per match.\n",
+      duration_text(plans));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ PlannedTestsResult simulate_planned_tests(const PlannedTestsCommand& command,
                   "for example --groups 0.5,0.4,0.1");
     options.groups = command.groups;
   }
-  if (!command.truth.empty()) options.truth = read_truth(manifest, command.truth);
+  if (!command.truth.empty()) options.truth = read_truth(manifest, command.truth).ratings;
   ProgressBar bar(console.err, console.err_is_terminal);
   options.progress = [&](double share) {
     if (console.stop.stop_requested()) throw Interrupted();

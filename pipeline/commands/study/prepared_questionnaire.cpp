@@ -3,7 +3,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
-#include "pipeline/study/questionnaire/continuous_films.h"
+#include "pipeline/production/run/continuous_films.h"
 
 namespace mien::pipeline {
 

@@ -20,6 +20,7 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/production/archive/zip_archive.h"
+#include "pipeline/production/run/shown_moods.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/results/answer_files.h"
@@ -102,6 +103,23 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
     differences.emplace_back("analysis: --unfinished leave-out instead of the registered keep");
 }
 
+/// What is told of answers to a design that is not the registered one: which may be the same for
+/// another number of participants.
+std::string answers_of_other_design(const Manifest& manifest, const std::string& run,
+                                    const std::string& registered, int participants) {
+  const int planned = questionnaire_of(manifest).participants;
+  Manifest as_registered = manifest;
+  as_registered.questionnaire->participants = participants;
+  const bool is_of_more = participants > 0 && participants != planned &&
+                          run == design_hash(manifest, plan_sessions(manifest)) &&
+                          registered == design_hash(as_registered, plan_sessions(as_registered));
+  return is_of_more ? fmt::format(
+                          "answers: given to the study as planned for {} participants "
+                          "instead of the registered {}",
+                          planned, participants)
+                    : "answers: given to design " + run + ", which is not the registered one";
+}
+
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
                          const std::vector<AnswerRow>& rows) {
   if (options.frozen.empty()) return {};
@@ -114,8 +132,8 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   const auto design = nlohmann::json::parse(read_zip(options.frozen).at("design.json"));
   compare_choices(options, design.value("analysis", nlohmann::json::object()), verdict.differences);
   if (!run.empty() && run != design.value("design", ""))
-    verdict.differences.push_back("answers: given to design " + run +
-                                  ", which is not the registered one");
+    verdict.differences.push_back(answers_of_other_design(manifest, run, design.value("design", ""),
+                                                          design.value("participants", 0)));
   const bool are_simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
   verdict.sentence =
       verdict.differences.empty()
@@ -227,6 +245,17 @@ std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
   return planned;
 }
 
+/// The moods of stimuli of continuous trials whose mood changes; their walks are synthesized.
+std::map<std::string, std::vector<ShownMood>> moods_of(const Manifest& manifest) {
+  std::map<std::string, std::vector<ShownMood>> moods;
+  if (!questionnaire_of(manifest).trials->is_continuous) return moods;
+  Motions motions(manifest);
+  for (const std::string& id : shown_stimuli(manifest))
+    if (const Stimulus* stimulus = motions.stimulus(id); stimulus != nullptr && stimulus->walk)
+      moods[id] = shown_moods(motions, *stimulus);
+  return moods;
+}
+
 ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
                          const ParticipantTable& people) {
   ReportChoices choices;
@@ -235,6 +264,7 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
   choices.planned = planned_trials(manifest);
   choices.finished = people.finished();
   choices.without_unfinished = options.unfinished == leave_out;
+  choices.moods = moods_of(manifest);
   return choices;
 }
 

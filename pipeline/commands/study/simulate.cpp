@@ -13,12 +13,15 @@
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/example_source.h"
+#include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
-#include "pipeline/study/questionnaire/continuous_films.h"
 #include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/simulated_people.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "pipeline/study/results/answer_files.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
@@ -40,21 +43,21 @@ struct SimulateCommand {
   std::optional<double> participant_sd, residual_sd;
 };
 
-/// Standard deviations of the answers of simulated participants unless stated otherwise, in scale
-/// units; the same share of the range, 0 to 100, in grid and continuous trials.
-constexpr RatingSpread usual_spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.7};
-constexpr RatingSpread slider_spread = {.participant = 7.5, .stimulus = 0.0, .residual = 17.5};
-
 SimulatedParticipants people_of(const SimulateCommand& command, const Manifest& manifest) {
   SimulatedParticipants people = command.people;
   const TrialForm& form = *questionnaire_of(manifest).trials;
-  people.spread = form.is_on_slider ? slider_spread : usual_spread;
   if (form.is_continuous) {
     people.film_seconds = video_seconds(manifest);
     check_continuous_films(manifest, people.film_seconds);
   }
-  if (command.participant_sd) people.spread.participant = *command.participant_sd;
-  if (command.residual_sd) people.spread.residual = *command.residual_sd;
+  if (command.participant_sd || command.residual_sd) {
+    const ScaleSet scales = questionnaire_scales(manifest);
+    const double range =
+        scales.scales.empty() ? 4.0 : scales.scales.front().most - scales.scales.front().least;
+    people.spread = usual_spread(range);
+    if (command.participant_sd) people.spread->participant = *command.participant_sd;
+    if (command.residual_sd) people.spread->residual = *command.residual_sd;
+  }
   return people;
 }
 
@@ -70,14 +73,19 @@ std::vector<fs::path> files_simulated_from(const SimulateCommand& command,
 /// Writes the answers to the file, or to standard output if none is given, and states that they are
 /// simulated.
 int put_answers(const SimulateCommand& command, const Manifest& manifest, const std::string& csv,
-                const std::string& whose, const Console& console) {
+                const std::string& whose, const Console& console,
+                const std::string& participants = "") {
   if (command.out.empty()) {
     console.out << csv;
-  } else {
-    refuse_data_loss({{command.out, csv}}, files_simulated_from(command, manifest));
-    write_file(command.out, csv);
-    console.out << command.out << ": answers of " << whose << '\n';
+    return exit_done;
   }
+  std::vector<NewTable> tables = {{command.out, csv}};
+  if (!participants.empty()) tables.push_back({participants_of(command.out), participants});
+  refuse_data_loss(tables, files_simulated_from(command, manifest));
+  for (const NewTable& table : tables) write_file(table.file, table.csv);
+  console.out << command.out << ": answers of " << whose << '\n';
+  if (!participants.empty())
+    console.out << tables.back().file.string() << ": what they say of themselves\n";
   return exit_done;
 }
 
@@ -93,9 +101,11 @@ int simulate_examples(const SimulateCommand& command, const Console& console) {
 }
 
 /// The stated truth; not required if there are only emotions and choices in words.
-StatedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
+AssumedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
   if (!command.truth.empty()) return read_truth(manifest, command.truth);
-  return questionnaire_scales(manifest).scales.empty() ? StatedTruth{} : measured_truth(manifest);
+  if (questionnaire_scales(manifest).scales.empty()) return {};
+  refuse_scales_without_model(manifest);
+  return measured_truth(manifest);
 }
 
 int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
@@ -116,11 +126,15 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
   const Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching) return simulate_matched(command, manifest, console);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
+  const AssumedTruth truth = truth_of(command, manifest);
   const std::vector<AnswerRow> rows = simulated_sessions(
-      manifest, plans, truth_of(command, manifest), people_of(command, manifest));
-  return put_answers(command, manifest, to_csv(rows),
-                     fmt::format("{} simulated participants, {} rows", plans.size(), rows.size()),
-                     console);
+      manifest, plans, truth.ratings, people_of(command, manifest), truth.courses);
+  return put_answers(
+      command, manifest, to_csv(rows),
+      fmt::format("{}, {} rows",
+                  counted_noun(plans.size(), "simulated participant", "simulated participants"),
+                  rows.size()),
+      console, asks_about_participants(manifest) ? simulated_people_csv(manifest, plans) : "");
 }
 
 int simulate(const SimulateCommand& command, const Console& console) {
@@ -134,7 +148,8 @@ int simulate(const SimulateCommand& command, const Console& console) {
 
 std::vector<CommandOption> simulation_options(SimulateCommand& options) {
   return {option("--truth", &options.truth,
-                 "CSV (stimulus, scale, value) of true mean ratings (default: derived from the "
+                 "CSV (stimulus, scale, value; in continuous trials also from_s, the second of the "
+                 "video from which a value holds) of true mean ratings (default: derived from the "
                  "motions by simulated raters)"),
           option("--participants", &options.participants,
                  "Number of participants (default: as in the manifest)")
@@ -144,12 +159,12 @@ std::vector<CommandOption> simulation_options(SimulateCommand& options) {
                  "go from -2 to 2, those of grid and continuous trials from 0 to 100)")
               .formerly("--lean")
               .between(0.0, 1000.0)
-              .with_default("0.3, in grid and continuous trials 7.5"),
+              .with_default("7.5 % of the range: 0.3 from -2 to 2"),
           option("--residual-sd", &options.residual_sd,
                  "Residual standard deviation of an answer, in scale units")
               .formerly("--residual")
               .between(0.0, 1000.0)
-              .with_default("0.7, in grid and continuous trials 17.5"),
+              .with_default("17.5 % of the range: 0.7 from -2 to 2"),
           option("--reaction-lag", &options.people.reaction_lag_s,
                  "In continuous trials: seconds between what is seen and its rating")
               .between(0.0, 60.0)

@@ -31,8 +31,14 @@ int main_trials(const Manifest& manifest) {
 }
 
 std::vector<Fault> attention_warnings(const Manifest& manifest) {
-  if (manifest.questionnaire->attention_every == 0) return {};
   const Questionnaire& asked = *manifest.questionnaire;
+  if (asked.attention_every == 0) {
+    FaultList none(manifest.places);
+    if (none.was_given("questionnaire.attention.every"))
+      none.add("questionnaire.attention.every", "0: sessions have no attention checks",
+               "omit attention, or give the number of trials between two checks, such as 10");
+    return none.take();
+  }
   const int trials = main_trials(manifest);
   const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
   const int failed = asked.analysis.max_failed_checks;
@@ -48,6 +54,30 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
                          "analysis.max_failed_checks allows {} failure{}",
                          trials, checks, failed, failed == 1 ? "" : "s"),
              "use a smaller number, or analysis: {max_failed_checks: 0}");
+  }
+  return list.take();
+}
+
+/// Scales with a stated range of whole numbers whose points are not those numbers.
+std::vector<Fault> points_warnings(const Manifest& manifest) {
+  const Questionnaire& asked = *manifest.questionnaire;
+  const AnswerSettings& answer = asked.answer;
+  if (!asked.trials->is_on_scale || asked.trials->is_on_slider || answer.slider || answer.words)
+    return {};
+  FaultList list(manifest.places);
+  for (const Scale& scale : questionnaire_scales(manifest).scales) {
+    const double range = scale.most - scale.least;
+    const bool is_usual = scale.least == -2.0 && scale.most == 2.0;
+    if (is_usual || range != std::round(range) || range + 1.0 == answer.points) continue;
+    const std::string path = "questionnaire.answer.points";
+    list.add(
+        list.was_given(path) ? path : "questionnaire.scales",
+        fmt::format("{} goes from {:g} to {:g}, but is answered with {} points, which are {:g} "
+                    "apart",
+                    motion::in_quotes(scale.id), scale.least, scale.most, answer.points,
+                    std::round(1000.0 * range / (answer.points - 1)) / 1000.0),
+        fmt::format("for one point per number, answer: {{points: {:g}}}", range + 1.0));
+    return list.take();
   }
   return list.take();
 }
@@ -187,6 +217,7 @@ std::vector<Fault> check_heard_sounds(const Manifest& manifest) {
 std::vector<Fault> questionnaire_warnings(const Manifest& manifest) {
   if (!manifest.questionnaire) return {};
   std::vector<Fault> warnings = attention_warnings(manifest);
+  append(warnings, points_warnings(manifest));
   append(warnings, quality_warnings(manifest));
   append(warnings, post_screening_warnings(manifest));
   append(warnings, sound_warnings(manifest));

@@ -52,20 +52,13 @@ void describe_questionnaire(MethodsText& out) {
   describe_tests(out);
   describe_factorial_plan(out);
   describe_quality_rules(out);
+  describe_stated_plan(out);
 }
 
 void describe_files(MethodsText& out) {
   const auto files = stimuli_from(out.manifest, "clip");
   if (files.empty()) return;
   out.say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
-}
-
-void describe_paths(MethodsText& out) {
-  const auto paths = stimuli_from(out.manifest, "path");
-  if (paths.empty()) return;
-  out.say(count_of(paths.size(), "stimulus was", "stimuli were") +
-          " synthesized along a path by a parametric walker that plans each step, without recorded "
-          "motion");
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ std::string with_labels(const std::string& text) {
   return result;
 }
 
+/// Lines without their "> "; empty ones end paragraphs, which are told apart by a space alone.
+std::string unquoted(const std::string& part) {
+  static const std::regex mark("(^|\n)> ?");
+  return std::regex_replace(part, mark, "$1");
+}
+
 }  // namespace
 
 std::string methods_html(const std::string& markdown) {
@@ -54,7 +60,7 @@ std::string methods_html(const std::string& markdown) {
       is_first_heading = false;
     } else if (!part.empty()) {
       const bool is_note = part.starts_with("> ");
-      const std::string text = html_escaped(with_labels(is_note ? part.substr(2) : part));
+      const std::string text = html_escaped(with_labels(is_note ? unquoted(part) : part));
       html += is_note ? "<blockquote><p>" + text + "</p></blockquote>\n" : "<p>" + text + "</p>\n";
     }
   }

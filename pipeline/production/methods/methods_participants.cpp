@@ -146,4 +146,11 @@ void describe_tests(MethodsText& out) {
                                  "attention check", "attention checks")));
 }
 
+void describe_stated_plan(MethodsText& out) {
+  const TextSource& plan = out.manifest.questionnaire->analysis.plan;
+  if (plan.text.empty()) return;
+  out.say("The plan of the analysis, stated before the study, was as follows");
+  out.quote(plan.text);
+}
+
 }  // namespace mien::pipeline

@@ -13,6 +13,17 @@ void MethodsText::say(const std::string& sentence) {
   text_ += sentence_start(sentence) + ".";
 }
 
+void MethodsText::quote(const std::string& text) {
+  end_paragraph();
+  text_ += "> ";
+  const std::size_t end = text.find_last_not_of(" \n\t") + 1;
+  for (const char letter : std::string_view(text).substr(0, end)) {
+    text_ += letter;
+    if (letter == '\n') text_ += "> ";
+  }
+  text_ += "\n\n";
+}
+
 void MethodsText::end_paragraph() { text_ += text_.ends_with(".") ? "\n\n" : ""; }
 
 void MethodsText::begin_section(const std::string& heading) {

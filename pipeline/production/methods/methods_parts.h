@@ -19,6 +19,8 @@ class MethodsText {
   Motions& motions;
 
   void say(const std::string& sentence);
+  /// Appends a text of the author as a quotation of its own.
+  void quote(const std::string& text);
   void end_paragraph();
 
   /// Begins a section with paragraphs of its own.
@@ -50,6 +52,9 @@ void describe_recordings(MethodsText& out);
 
 /// The blending of examples, the deviations from the requested values, and the held parameters.
 void describe_blends(MethodsText& out);
+
+/// The walks along paths: what the walkers do, how long and how far, and where their mood changes.
+void describe_paths(MethodsText& out);
 
 /// The modifications of motions, and the foils.
 void describe_modifications(MethodsText& out);
@@ -87,6 +92,9 @@ void describe_factorial_plan(MethodsText& out);
 
 /// The quality rules by which answers to the questionnaire are flagged.
 void describe_quality_rules(MethodsText& out);
+
+/// The analysis plan as the manifest states it in words, as a quotation.
+void describe_stated_plan(MethodsText& out);
 
 /// The description of an interpolation method and the keys of its references.
 struct MethodWords {

@@ -117,7 +117,11 @@ void describe_settings(MethodsText& out) {
     add_set(film, settings);
     add_differences("output.", film.output, film.id, settings);
   };
-  for (const Stimulus& stimulus : out.manifest.stimuli) add_settings_of(stimulus);
+  for (Stimulus stimulus : out.manifest.stimuli) {
+    // Motions that do not loop are not repeated.
+    if (!out.motions.of(stimulus.id).motion.clip.loops) stimulus.output.cycles = Output{}.cycles;
+    add_settings_of(stimulus);
+  }
   for (const Overlay& overlay : out.manifest.overlays) {
     Stimulus film = overlay.film;
     film.look.colours = Colours::neutral;  // which it does not go by

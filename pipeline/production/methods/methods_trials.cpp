@@ -187,9 +187,10 @@ std::string task_text(const Manifest& manifest) {
   if (form == &best_worst_form)
     return fmt::format(
         "In each trial, participants saw a set of {} films and chose, for {}, those closest to the "
-        "high and to the low end; there were {} sets, in which all stimuli occurred about equally "
-        "often",
-        asked.best_worst.size, scales_text(scales), questionnaire_subject_count(manifest));
+        "high and to the low end; there {} {}, in which all stimuli occurred about equally often",
+        asked.best_worst.size, scales_text(scales),
+        questionnaire_subject_count(manifest) == 1 ? "was" : "were",
+        count_of(questionnaire_subject_count(manifest), "set", "sets"));
   if (form == &grid_form) return grid_text(manifest);
   if (form == &continuous_form) return continuous_text(manifest);
   if (form == &rating_form && asked.answer.words)
@@ -293,7 +294,9 @@ void describe_order(MethodsText& out) {
               ? fmt::format("Each participant saw {} of the {}, which were shared out so that "
                             "all were seen about equally often",
                             own, count_of(all, one, many))
-              : fmt::format("Each participant saw all {}", count_of(all, one, many)));
+          : all == 1 ? fmt::format("Each participant saw the one {}", one)
+          : all == 2 ? fmt::format("Each participant saw both {}", many)
+                     : fmt::format("Each participant saw all {} {}", all, many));
   std::string order = order_text(asked);
   if (!asked.no_repeats.empty())
     order += fmt::format("; successive trials differed in {}", listed(asked.no_repeats));
@@ -317,8 +320,10 @@ void describe_order(MethodsText& out) {
     const int trials = (static_cast<int>(own) + asked.warm_up + asked.repeated) *
                        static_cast<int>(scales_in_turn(out.manifest));
     const int checks = (trials - 1) / asked.attention_every;
-    out.say(fmt::format("About every {} trials, an attention check asked for a certain answer{}",
-                        asked.attention_every,
+    out.say(fmt::format("About every {}, an attention check asked for a certain answer{}",
+                        asked.attention_every == 1
+                            ? std::string("trial")
+                            : fmt::format("{} trials", asked.attention_every),
                         checks > 0 ? fmt::format(" (about {} in a session)", checks) : ""));
   }
 }

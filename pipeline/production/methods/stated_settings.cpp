@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_named = 6;
 
-/// An option in words; {} is its value. Words without it are of options that are set or not.
+/// An option in words; {} is its value. Words without it are of options that are set or not, or of
+/// one value, which follows the path after "=".
 struct OptionWords {
   std::string_view path;  ///< the end of the option's
   std::string_view words;
@@ -22,13 +23,15 @@ struct OptionWords {
 
 constexpr OptionWords option_words[] = {
     {"output.in_place", "walking in place"},
-    {"output.cycles", "repetitions of a looping motion: {}"},
+    {"output.cycles=1", "looping motions shown once"},
+    {"output.cycles", "looping motions repeated {} times"},
     {"output.scale", "images rendered at {} times the size"},
     {"output.crop", "images cropped to {} (left, top, width, height in pixels)"},
     {"output.quality", "quality {}"},
     {"output.samples", "{} samples per pixel"},
     {"output.shutter", "motion blur with a shutter angle of {}°"},
-    {"output.frames", "frames kept as {}"},
+    {"output.frames=none", "no files of single frames kept"},
+    {"output.frames", "single frames kept as {} files"},
     {"output.clips", "motion files written as {}"},
     {"presentation.card.text", "a card with the text {}"},
     {"presentation.card.seconds", "the card shown for {} s"},
@@ -178,10 +181,15 @@ std::string words_of_option(std::string_view path, const OrderedJson& value) {
   const std::string text = text_of(value);
   const std::string_view posture = "modify.posture.";
   if (path.starts_with(posture)) return fmt::format("{} {}°", path.substr(posture.size()), text);
-  for (const auto& [end, words] : option_words) {
+  for (const auto& [stated, words] : option_words) {
+    const std::size_t equals = stated.find('=');
+    const std::string_view end = stated.substr(0, equals);
+    const bool is_of_value = equals != std::string_view::npos;
+    if (is_of_value && stated.substr(equals + 1) != text) continue;
     const bool is_it = path == end || (path.ends_with(end) && path.size() > end.size() &&
                                        path[path.size() - end.size() - 1] == '.');
     if (!is_it) continue;
+    if (is_of_value) return std::string(words);
     const std::size_t placeholder = words.find("{}");
     if (placeholder != std::string_view::npos)
       return fmt::format("{}{}{}", words.substr(0, placeholder), text,

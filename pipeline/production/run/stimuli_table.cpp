@@ -12,6 +12,7 @@
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/methods/study_facts.h"
+#include "pipeline/production/run/shown_moods.h"
 #include "pipeline/tasks/receipt.h"
 
 namespace mien::pipeline {
@@ -19,6 +20,8 @@ namespace mien::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+
+double rounded_seconds(double seconds) { return std::round(1e6 * seconds) / 1e6; }
 
 std::string listed(const NamedValues& values) {
   std::string text;
@@ -38,6 +41,19 @@ std::string requested_of(const Stimulus& stimulus) {
   if (const auto& frames = stimulus.clip->frames) {
     text += " " + std::to_string((*frames)[0]) + "-" + std::to_string((*frames)[1]);
   }
+  return text;
+}
+
+std::string times_of(const std::vector<ShownMood>& moods) {
+  std::string text;
+  for (std::size_t i = 1; i < moods.size(); ++i)
+    text += (text.empty() ? "" : " ") + shortest(rounded_seconds(moods[i].from_s));
+  return text;
+}
+
+std::string words_of(const std::vector<ShownMood>& moods) {
+  std::string text;
+  for (const ShownMood& mood : moods) text += (text.empty() ? "" : "; ") + mood.mood;
   return text;
 }
 
@@ -61,6 +77,7 @@ struct MadeStimulus {
   const Synthesis* made = nullptr;  ///< null of an overlay
   std::string ratings = {};
   std::string method = {};
+  std::vector<ShownMood> moods = {};
 
   const Output& output() const { return film.output; }
   bool loops() const { return made != nullptr && made->motion.clip.loops; }
@@ -146,6 +163,14 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
       [](auto& r) { return r.video() ? r.video()->file : ""; }},
      {"video_s", "s", "duration of the video, including card, cross and blanks",
       [](auto& r) { return r.video() ? r.video()->frames / r.video()->fps : NAN; }},
+     {"mood_changes_s", "s",
+      "times of the video at which the mood of a walk along a path begins to change, separated by "
+      "spaces; empty if it does not",
+      [](auto& r) { return times_of(r.moods); }},
+     {"moods", "",
+      "its moods in order, separated by semicolons: one more than changes; empty if it does not "
+      "change",
+      [](auto& r) { return words_of(r.moods); }},
      {"video_hash", "", "its XXH3-128",
       [](auto& r) { return r.video() ? r.hash_of(r.video()->file) : ""; }},
      {"sound", "", "file name of the sound in the videos; empty without a sound",
@@ -201,7 +226,8 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::pa
     for (const std::string& factor : factors) levels.push_back(level_of(stimulus, factor));
     rows.push_back({stimulus, folder, film_record(folder, stimulus.id), std::move(levels),
                     requested_of(stimulus), &motions.of(stimulus.id),
-                    ratings_of(&stimulus, motions), method_of(stimulus)});
+                    ratings_of(&stimulus, motions), method_of(stimulus),
+                    shown_moods(motions, stimulus)});
   }
   for (const Overlay& overlay : manifest.overlays)
     rows.push_back({overlay.film, folder, film_record(folder, overlay.film.id),

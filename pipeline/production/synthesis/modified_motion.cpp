@@ -52,7 +52,9 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
                const motion::Modification& modification, double share,
                const Repertoire& repertoire) {
   if (step.style) {
-    RestyledMotion styled = restyled(result.motion, *step.style, share * step.strength, repertoire);
+    RestyledMotion styled =
+        restyled(result.motion, *step.style, share * step.strength, repertoire, result.times);
+    result.times = std::move(styled.times);
     result.motion = std::move(styled.motion);
     result.planted_drift_m = styled.planted_drift_m;
     for (std::string& note : styled.notes) result.notes.push_back(std::move(note));
@@ -71,11 +73,12 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
   const double now = result.motion.clip.duration_seconds();
   const motion::Retiming& retiming = modified.report.retiming;
   const bool is_even = retiming.is_even || retiming.sources.empty();
-  for (double& keytime : result.motion.keytimes) {
-    if (!moved.empty()) keytime = motion::moved_by_gesture(moved, keytime * rate) / rate;
-    keytime = is_even ? keytime * (now / before)
-                      : now * motion::retimed_share(keytime / before, retiming);
-  }
+  const auto move = [&](double& time) {
+    if (!moved.empty()) time = motion::moved_by_gesture(moved, time * rate) / rate;
+    time = is_even ? time * (now / before) : now * motion::retimed_share(time / before, retiming);
+  };
+  std::ranges::for_each(result.motion.keytimes, move);
+  std::ranges::for_each(result.times, move);
   result.planted_drift_m = modified.report.drift_after_repair;
   for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
 }
@@ -85,7 +88,8 @@ struct Steps {
   const Stimulus& stimulus;
   const Repertoire& repertoire;
   std::vector<motion::Modification> modifications;
-  motion::Clip shown_original;  ///< at the output's frame rate
+  motion::Clip shown_original;       ///< at the output's frame rate
+  const std::vector<double>& times;  ///< of the original, moved with it
 };
 
 motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
@@ -109,6 +113,7 @@ void animate(ModifiedMotion& result, const ModificationStep& step) {
 /// Everything at a share of the requested strengths.
 ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
   ModifiedMotion result{original, share};
+  result.times = steps.times;
   for (std::size_t i = 0; i < steps.modifications.size(); ++i) {
     take_step(result, steps.stimulus.modify[i], steps.modifications[i], share, steps.repertoire);
   }
@@ -249,9 +254,9 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
 }
 
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
-                             const Repertoire& repertoire) {
+                             const Repertoire& repertoire, const std::vector<double>& times) {
   const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire),
-                    at_rate(original.clip, stimulus.output.fps)};
+                    at_rate(original.clip, stimulus.output.fps), times};
   ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
   const Breakage own = broken_before(steps.shown_original);

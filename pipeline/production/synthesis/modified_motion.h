@@ -21,6 +21,7 @@ struct ModifiedMotion {
   std::vector<motion::Finding> findings;
   std::vector<std::string> notes;     ///< remarks about the steps, plain sentences
   std::vector<std::string> warnings;  ///< consequences of lint errors, plain sentences
+  std::vector<double> times = {};     ///< given times of the original, in the result, seconds
 };
 
 /// Returns each of the stimulus's modifications as at a strength of 1, including the differences
@@ -32,9 +33,10 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
 /// Applies the stimulus's modifications in order and checks the result with the lint. Errors that
 /// are new, or more than 1.5 times as large as in the original, are treated as `on_fault` says,
 /// which is reported in the warnings. The result has the output's frame rate. Throws Error if a
-/// pose or style is not available and, with `on_fault: fail`, if there are such errors.
+/// pose or style is not available and, with `on_fault: fail`, if there are such errors. `times` are
+/// times of the original, seconds, that are moved with it (ModifiedMotion::times).
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
-                             const Repertoire& repertoire);
+                             const Repertoire& repertoire, const std::vector<double>& times = {});
 
 /// Returns the errors that lint found in a modified motion and the original, at the same frame
 /// rate, does not have, or that are more than 1.5 times as large as in it.

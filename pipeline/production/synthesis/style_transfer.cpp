@@ -163,13 +163,18 @@ double time_of(double frame, const std::vector<double>& source_frames, const mot
                     clip.duration_seconds());
 }
 
-/// The motion's keytimes after a change of its timing.
+/// Times of a motion after a change of its timing, and the motion's own keytimes.
+std::vector<double> timed(const std::vector<double>& times, const motion::Clip& before,
+                          const motion::Clip& clip, const std::vector<double>& source_frames) {
+  std::vector<double> moved;
+  for (const double time : times)
+    moved.push_back(time_of(time * before.frames_per_second, source_frames, clip));
+  return moved;
+}
+
 std::vector<double> timed_keytimes(const motion::Example& motion, const motion::Clip& clip,
                                    const std::vector<double>& source_frames) {
-  std::vector<double> keytimes;
-  for (const double keytime : motion.keytimes) {
-    keytimes.push_back(time_of(keytime * motion.clip.frames_per_second, source_frames, clip));
-  }
+  std::vector<double> keytimes = timed(motion.keytimes, motion.clip, clip, source_frames);
   keytimes.back() = clip.duration_seconds();
   return keytimes;
 }
@@ -177,8 +182,9 @@ std::vector<double> timed_keytimes(const motion::Example& motion, const motion::
 }  // namespace
 
 RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, double strength,
-                        const Repertoire& repertoire) {
+                        const Repertoire& repertoire, const std::vector<double>& times) {
   RestyledMotion result{motion};
+  result.times = times;
   if (strength == 0.0) return result;
   const motion::Example neutral = example_like(motion, step.neutral, repertoire);
   const motion::Example styled = example_like(motion, step.styled, repertoire);
@@ -200,6 +206,7 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
     }
   }
   result.motion.keytimes = timed_keytimes(motion, clip, made.source_frames);
+  result.times = timed(times, motion.clip, clip, made.source_frames);
   return result;
 }
 

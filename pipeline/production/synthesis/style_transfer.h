@@ -16,12 +16,13 @@ struct RestyledMotion {
   /// Largest slide of a planted foot, metres; 0 if the feet are not locked.
   double planted_drift_m = 0.0;
   std::vector<std::string> notes;
+  std::vector<double> times = {};  ///< given times of the motion, in the result, seconds
 };
 
 /// Applies a style step with the given strength. The neutral and the styled example are converted
 /// to the motion's frame rate and body. Throws Error if an example is missing or the method cannot
-/// handle the motion.
+/// handle the motion. `times` are times of the motion, seconds, that are moved with it.
 RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, double strength,
-                        const Repertoire& repertoire);
+                        const Repertoire& repertoire, const std::vector<double>& times = {});
 
 }  // namespace mien::pipeline

@@ -244,6 +244,10 @@ Synthesis as_walked(const Stimulus& stimulus) {
   result.planted_drift_m = motion::planted_slide(walk.clip, walk.plants);
   result.motion.clip = std::move(walk.clip);
   result.motion.keytimes = {0.0, result.motion.clip.duration_seconds()};
+  result.moods = moods_in_order(*stimulus.walk, walk.segment_starts);
+  std::erase_if(result.moods, [&](const ShownMood& mood) {
+    return mood.from_s > 0.0 && mood.from_s >= result.motion.clip.duration_seconds();
+  });
   return result;
 }
 
@@ -257,7 +261,10 @@ Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
 
 void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
                          Synthesis& synthesis) {
-  ModifiedMotion modified = modify_motion(synthesis.motion, stimulus, repertoire);
+  std::vector<double> times;
+  for (const ShownMood& mood : synthesis.moods) times.push_back(mood.from_s);
+  ModifiedMotion modified = modify_motion(synthesis.motion, stimulus, repertoire, times);
+  for (std::size_t i = 0; i < times.size(); ++i) synthesis.moods[i].from_s = modified.times[i];
   synthesis.motion = std::move(modified.motion);
   synthesis.planted_drift_m = modified.planted_drift_m;
   synthesis.modified = described_modifications(stimulus);

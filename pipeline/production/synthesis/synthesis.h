@@ -45,6 +45,9 @@ struct Synthesis {
   /// How well the body fits the points of the clip's file, if that holds points.
   std::optional<motion::FitQuality> fit;
   double clip_start_s = 0.0;  ///< start of the clip in the motion of its file
+  /// Of a walk along a path: its moods, by time of the motion after modifications; one if it does
+  /// not change. A change is when the walker begins to follow the other mood.
+  std::vector<ShownMood> moods;
 };
 
 /// Returns the blend weights of a stimulus that is made from examples: the given ones, or those

@@ -166,7 +166,7 @@ motion::WalkedClip walked_script(const WalkPath& path, const std::vector<Modific
   }
   motion::GuidedWalk walk = motion::scripted_walk(std::span(versions), segments);
   if (walk.missed && std::abs(walk.missed->degrees) > refused_deg) refuse_turn(path, *walk.missed);
-  return {std::move(walk.clip), std::move(walk.plants)};
+  return {std::move(walk.clip), std::move(walk.plants), std::move(walk.segment_starts)};
 }
 
 motion::WalkedClip walked_by_graph(const Stimulus& stimulus) {

@@ -17,15 +17,17 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Sorts rows by test, keeping the order in which tests first occur.
+/// Sorts rows by test, planned contrasts first as in the figure, otherwise in the order in which
+/// tests first occur.
 void sort_by_test(std::vector<PlannedTestPower>& rows) {
   std::map<std::tuple<bool, std::string, std::string, TestedBy>, std::size_t> order;
   const auto key = [](const PlannedTestPower& row) {
     return std::tuple(row.is_contrast, row.name, row.scale, row.by);
   };
   for (const PlannedTestPower& row : rows) order.try_emplace(key(row), order.size());
-  std::ranges::stable_sort(rows, {},
-                           [&](const PlannedTestPower& row) { return order.at(key(row)); });
+  std::ranges::stable_sort(rows, {}, [&](const PlannedTestPower& row) {
+    return std::pair(!row.is_contrast, order.at(key(row)));
+  });
 }
 
 void check_size(const Manifest& manifest, const PlannedPowerOptions& options) {

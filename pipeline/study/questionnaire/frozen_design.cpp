@@ -47,12 +47,17 @@ constexpr char readme[] =
     "stimuli.csv          SHA-256 of all media shown\n"
     "inputs/              the manifest and the files that it names\n"
     "inputs.csv           hashes of these and of the motions that they name\n"
+    "power.txt            power analysis: result and assumptions, if one was made\n"
+    "planned-tests.csv    power of the planned tests, if it was simulated\n"
     "dummy-report/        report of simulated answers\n"
     "manifest-sha256.txt  hashes of all files: sha256sum -c manifest-sha256.txt\n\n"
     "mien study report --frozen compares a study as run with this archive.\n";
 
 constexpr char no_analysis_plan[] =
     "No analysis plan: the manifest has no questionnaire.analysis.plan.\n";
+
+/// An archive that names more participants is not compared for their number.
+constexpr int most_compared_participants = 10000;
 
 std::string sha256_of_file(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -353,8 +358,24 @@ void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
 std::vector<std::string> frozen_differences(const fs::path& bundle, const Manifest& manifest,
                                             const fs::path& study_folder) {
   ZipFiles then = read_frozen(bundle);
-  ZipFiles now = described(manifest, plan_sessions(manifest));
   std::vector<std::string> differences;
+  // Whether anything else differs is seen at the registered number of participants.
+  Manifest compared = manifest;
+  const auto design = ordered_json::parse(then["design.json"]);
+  const auto registered = design.find("participants");
+  if (registered != design.end() && registered->is_number_integer()) {
+    const auto participants = registered->get<std::int64_t>();
+    const int planned = questionnaire_of(manifest).participants;
+    if (participants != planned && participants >= 1 &&
+        participants <= most_compared_participants) {
+      differences.push_back(fmt::format(
+          "participants: the manifest plans {} instead of the registered {}; everything that "
+          "follows is compared for the registered number",
+          planned, participants));
+      compared.questionnaire->participants = static_cast<int>(participants);
+    }
+  }
+  ZipFiles now = described(compared, plan_sessions(compared));
   compare_designs(then["design.json"], now["design.json"], differences);
   compare_tables("plans of participants", then["plans.csv"], now["plans.csv"], differences);
   compare_tables("scales", then["scales.csv"], now["scales.csv"], differences);

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "pipeline/base/documents/utf8.h"
 #include "pipeline/manifest/questionnaire_content.h"
-#include "pipeline/production/film/film_presentation.h"
-#include "pipeline/production/film/film_sound.h"
-#include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
 
@@ -86,19 +85,12 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
   return sum;
 }
 
-VideoSeconds video_seconds(const Manifest& manifest) {
-  Motions motions(manifest);
-  VideoSeconds seconds;
-  for (const std::string& id : shown_stimuli(manifest)) {
-    const Stimulus* stimulus = motions.stimulus(id);
-    if (stimulus == nullptr) continue;
-    const Output& output = stimulus->output;
-    const int frames = motions.shown(*stimulus).frame_count();
-    const bool may_hold = stimulus->sound && stimulus->sound->length == SoundLength::hold;
-    const int held = may_hold ? film_sound(*stimulus, {}, frames)->held_frames : 0;
-    seconds[id] = frames_of(output.presentation, output.fps, frames, held).all() / output.fps;
-  }
-  return seconds;
+std::string duration_text(const std::vector<SessionPlan>& plans) {
+  const auto [shortest, longest] =
+      std::ranges::minmax_element(plans, {}, &SessionPlan::expected_seconds);
+  const std::string least = fmt::format("{:.1f}", shortest->expected_seconds / 60.0);
+  const std::string most = fmt::format("{:.1f}", longest->expected_seconds / 60.0);
+  return least == most ? most + " min" : least + " to " + most + " min";
 }
 
 }  // namespace mien::pipeline

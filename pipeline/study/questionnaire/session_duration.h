@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/study/questionnaire/session_plan.h"
@@ -18,11 +20,11 @@ inline constexpr double recommended_session_seconds = 20.0 * 60.0;
 double session_seconds(const Manifest& manifest, const SessionPlan& plan,
                        const VideoSeconds& seconds);
 
+/// The expected durations of sessions as all that name them state them: "6.2 min", "6.2 to 7.4
+/// min".
+std::string duration_text(const std::vector<SessionPlan>& plans);
+
 /// Number of words in a text. In scripts written without spaces, two characters count as a word.
 double word_count(std::string_view text);
-
-/// Duration of the video of each stimulus in seconds, including title card, fixation cross and
-/// blanks. Synthesizes the motions. Throws Error if one cannot be synthesized.
-VideoSeconds video_seconds(const Manifest& manifest);
 
 }  // namespace mien::pipeline

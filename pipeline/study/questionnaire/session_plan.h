@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/production/run/video_seconds.h"
 #include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
@@ -23,9 +23,7 @@ struct SessionPlan {
   friend bool operator==(const SessionPlan&, const SessionPlan&) = default;
 };
 
-/// Durations of videos in seconds, by stimulus. A missing stimulus is assumed to last
-/// usual_video_seconds.
-using VideoSeconds = std::map<std::string, double>;
+/// Assumed duration of a video that is missing in VideoSeconds.
 inline constexpr double usual_video_seconds = 4.0;
 
 /// The session plans of `count` participants, or of all planned ones if `count` is 0. Each plan,

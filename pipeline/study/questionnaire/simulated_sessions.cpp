@@ -24,12 +24,21 @@ namespace mien::pipeline {
 
 namespace {
 
+/// Range of the scales whose standard deviations usual_spread states.
+constexpr double usual_range = 4.0;
+
 /// The session of a simulated participant.
 class SimulatedSession {
  public:
   SimulatedSession(const Manifest& manifest, const SessionPlan& plan, const StatedTruth& truth,
-                   const SimulatedParticipants& people, const ResponseScales& scales)
-      : manifest_(manifest), plan_(plan), truth_(truth), people_(people), scales_(scales) {}
+                   const SimulatedParticipants& people, const TruthCourses& courses,
+                   const ResponseScales& scales)
+      : manifest_(manifest),
+        plan_(plan),
+        truth_(truth),
+        people_(people),
+        courses_(courses),
+        scales_(scales) {}
 
   void add_rows(std::vector<AnswerRow>& rows) const {
     for (const Trial& trial : plan_.trials)
@@ -92,8 +101,17 @@ class SimulatedSession {
     const auto film = people_.film_seconds.find(trial.stimuli[0]);
     view.film_seconds = film == people_.film_seconds.end() ? usual_video_seconds : film->second;
     view.reaction_lag_s = people_.reaction_lag_s;
+    if (const auto course = courses_.find({trial.stimuli[0], item.item});
+        course != courses_.end()) {
+      const auto first = truth_.find(course->first);
+      double before = first == truth_.end() ? 0.0 : first->second;
+      for (const TruthStep& step : course->second) {
+        view.changes.push_back({step.from_s, step.value - before});
+        before = step.value;
+      }
+    }
     const double kept = std::exp(-1.0 / (trace_rate_hz * correlation_seconds));
-    const double deviation = share_of_residual * people_.spread.residual;
+    const double deviation = share_of_residual * spread_on(find_scale(scales_, item.item)).residual;
     const std::uint64_t stream = hashed_seed(plan_.seed, name("wander", trial, item));
     double now = deviation * normal_number(stream, 0);
     for (std::size_t k = 0; k < trace_samples(view.film_seconds); ++k) {
@@ -117,14 +135,20 @@ class SimulatedSession {
     const auto known = truth_.find({stimulus, item.item});
     const double middle = scale == nullptr ? 0.0 : 0.5 * (scale->least + scale->most);
     const double mean = known != truth_.end() ? known->second : middle;
-    const double response_bias =
-        people_.spread.participant * normal(plan_.seed, "lean/" + item.item);
+    const RatingSpread spread = spread_on(scale);
+    const double response_bias = spread.participant * normal(plan_.seed, "lean/" + item.item);
     // The same stimulus is observed anew when it is shown a second time in a trial.
     const bool is_again = which > 0 && stimulus == trial.stimuli[0];
     const std::string rest_name =
         name("rest", trial, item) + "/" + stimulus + (is_again ? "/again" : "");
-    const double deviation = scale == nullptr ? 1.0 : people_.spread.residual;
+    const double deviation = scale == nullptr ? 1.0 : spread.residual;
     return mean + response_bias + deviation * normal(plan_.seed, rest_name);
+  }
+
+  /// Detection has no scale; its observations have standard deviations of 1.
+  RatingSpread spread_on(const ResponseScale* scale) const {
+    if (people_.spread) return *people_.spread;
+    return usual_spread(scale == nullptr ? usual_range : scale->most - scale->least);
   }
 
   /// A wrong answer to an attention check.
@@ -138,6 +162,7 @@ class SimulatedSession {
   const SessionPlan& plan_;
   const StatedTruth& truth_;
   const SimulatedParticipants& people_;
+  const TruthCourses& courses_;
   const ResponseScales& scales_;
 };
 
@@ -161,17 +186,23 @@ std::string words_of_scales(const Manifest& manifest, const std::string& languag
 
 }  // namespace
 
+RatingSpread usual_spread(double range) {
+  const double ranges = range / usual_range;
+  return {.participant = 0.3 * ranges, .stimulus = 0.0, .residual = 0.7 * ranges};
+}
+
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,
-                                          const SimulatedParticipants& people) {
+                                          const SimulatedParticipants& people,
+                                          const TruthCourses& courses) {
   const ResponseScales scales = response_scales_by_item(manifest);
   // The hash of the study as planned, whatever the number of plans: further participants change
   // nothing for earlier ones.
   const std::string design = design_hash(manifest, plan_sessions(manifest));
   std::vector<AnswerRow> rows;
   for (const SessionPlan& plan : plans)
-    SimulatedSession(manifest, plan, truth, people, scales).add_rows(rows);
+    SimulatedSession(manifest, plan, truth, people, courses, scales).add_rows(rows);
   for (AnswerRow& row : rows) row.design = design;
   return rows;
 }

@@ -47,6 +47,7 @@ fs::path participants_beside(const fs::path& answers) {
   if (at != std::string::npos)
     for (const char* other : {"participant_data", "participants_data"})
       names.push_back(name.substr(0, at) + other + name.substr(at + saved_answers.size()));
+  names.push_back(participants_of(answers).filename().string());
   names.emplace_back("participants.csv");
   for (const std::string& other : names)
     if (fs::exists(answers.parent_path() / other)) return answers.parent_path() / other;
@@ -58,6 +59,10 @@ void add_once(std::vector<fs::path>& files, const fs::path& file) {
 }
 
 }  // namespace
+
+fs::path participants_of(const fs::path& answers) {
+  return answers.parent_path() / (answers.stem().string() + "_participants.csv");
+}
 
 AnswerFiles answer_files(const std::vector<fs::path>& given) {
   AnswerFiles found;

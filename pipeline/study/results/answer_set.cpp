@@ -16,6 +16,7 @@
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/study/results/answer_collector.h"
 #include "pipeline/study/results/grid_screening.h"
+#include "pipeline/study/results/no_answers.h"
 
 namespace mien::pipeline {
 
@@ -143,6 +144,42 @@ std::vector<std::string> distance_sentences(const std::vector<AnswerRow>& rows,
       counted_noun(cm.size(), "participant", "participants"))};
 }
 
+/// Notes where choices depart from the analysis that the manifest states.
+void note_deviations(const AnalysisPlan& plan, const ReportChoices& choices, AnswerSet& result) {
+  const auto note = [&](const std::string& given, const std::string& stated) {
+    result.notes.push_back(fmt::format(
+        "Deviation from the analysis that the manifest states: {} instead of {}.", given, stated));
+  };
+  if (choices.correction && *choices.correction != plan.correction)
+    note(fmt::format("--correction {}", word_of(correction_words, *choices.correction)),
+         std::string(word_of(correction_words, plan.correction)));
+  if (choices.max_failed_checks && *choices.max_failed_checks != plan.max_failed_checks)
+    note(fmt::format("--max-failed-checks {}", *choices.max_failed_checks),
+         std::to_string(plan.max_failed_checks));
+  if (choices.without_unfinished)
+    note("--unfinished leave-out",
+         "keep, which includes the answers of participants who did not finish");
+}
+
+/// Notes that no answer on a scale is beside the middle, as sliders are that nobody moved.
+void note_middle_answers(AnswerSet& result) {
+  constexpr std::size_t few = 4;
+  if (result.ratings.size() < few) return;
+  for (const AnalysedRating& rating : result.ratings) {
+    const Scale& scale = result.scales[rating.scale];
+    if (std::abs(rating.value - 0.5 * (scale.least + scale.most)) > 1e-9) return;
+  }
+  result.notes.push_back(fmt::format(
+      "All {} answers on scales are exactly in the middle: there is nothing to compare, and tests, "
+      "intervals and agreement have no meaning. {}",
+      result.ratings.size(),
+      result.simulated
+          ? "Simulated answers without a truth have the middle as their mean; with a standard "
+            "deviation that is small against the scale, all of them are rounded to it "
+            "(mien study simulate --truth, --residual-sd)."
+          : "Participants may not have moved the sliders or markers from their start."));
+}
+
 /// The flags of rows that have been separated by participants; `sessions` are those before.
 QualityFlags all_flags(const Questionnaire& asked, const std::vector<AnswerRow>& rows,
                        const std::vector<SessionStart>& sessions, const ReportChoices& choices,
@@ -177,6 +214,9 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.title = title_of(manifest);
   result.form = asked.trials;
   result.stimuli = reported_stimuli(manifest);
+  for (ReportedStimulus& stimulus : result.stimuli)
+    if (const auto moods = choices.moods.find(stimulus.id); moods != choices.moods.end())
+      stimulus.moods = moods->second;
   result.factors = reported_factors(manifest, result.stimuli);
   result.factorial = asked.analysis.factorial;
   result.scales = questionnaire_scales(manifest).scales;
@@ -210,9 +250,9 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   if (!faults.empty()) throw Faults(faults);
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
       result.detections.empty() && result.words.empty())
-    throw Error(Place{rows.front().place.file, 1, 1}, "holds no answers to analyse",
-                "answers to practice, warm-up and check trials, those of excluded participants and "
-                "those that quality rules exclude are ignored");
+    refuse_without_answers(rows, result);
+  note_middle_answers(result);
+  note_deviations(asked.analysis, choices, result);
   return result;
 }
 

@@ -32,6 +32,9 @@ struct ReportedStimulus {
   /// walk". Most comparisons are between stimuli of the same setting.
   std::string setting;
   Factors factors;
+  /// Of continuous trials: the moods of a stimulus whose mood changes while it is seen, by time of
+  /// its video; empty otherwise.
+  std::vector<ShownMood> moods = {};
 
   /// Whether the stimulus is the baseline of others: its emotion is neutral or normal, or it has no
   /// emotion and `made` is as-is or neutral.
@@ -107,6 +110,8 @@ struct ReportChoices {
   std::set<std::string> finished;   ///< participants who finished, according to their tables
   bool without_unfinished = false;  ///< exclude participants who did not finish
   SessionPeople session_people;     ///< for the quality rule repeated_by
+  /// Of continuous trials: the moods of stimuli whose mood changes, by stimulus id.
+  std::map<std::string, std::vector<ShownMood>> moods = {};
 };
 
 /// A participant who answered fewer trials than planned and is not among `finished`

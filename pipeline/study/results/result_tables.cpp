@@ -149,7 +149,9 @@ constexpr auto agreement_columns = result_table<AgreementRow>(
       [](auto& r) { return r.of.complete_people; }},
      {"alpha", "",
       "Cronbach's alpha of the participants who rated all stimuli, with participants as items",
-      [](auto& r) { return r.of.alpha; }}});
+      [](auto& r) { return r.of.alpha; }},
+     {"remark", "", "why there are no coefficients, or what negative ones mean",
+      [](auto& r) { return r.of.remark; }}});
 
 constexpr auto preference_columns = result_table<PreferenceRow>(
     "results/preferences.csv", "pair of stimuli",

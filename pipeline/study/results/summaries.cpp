@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "pipeline/base/statistics/t_test.h"
+#include "pipeline/study/results/agreement_remark.h"
 
 namespace mien::pipeline {
 
@@ -98,7 +99,10 @@ std::vector<Reliability> reliability_of(const AnswerSet& answer_set) {
   for (std::size_t scale = 0; scale < answer_set.scales.size(); ++scale) {
     const Eigen::MatrixXd table = table_on(answer_set, scale);
     const Agreement agreement = agreement_of(table);
-    all.push_back({scale, agreement.all, agreement.complete_raters, agreement.alpha});
+    all.push_back({scale, agreement.all, agreement.complete_raters, agreement.alpha,
+                   agreement_remark(table, agreement, "videos")});
+    Reliability& own = all.back();
+    if (states_none(own.remark)) set_none(own.intraclass, own.alpha);
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "pipeline/base/statistics/agreement.h"
@@ -40,6 +41,7 @@ struct Reliability {
   Intraclass intraclass;  ///< of all answers; missing answers are treated as agreement.h describes
   int complete_people = 0;  ///< participants who rated every rated stimulus
   double alpha = 0.0;       ///< Cronbach's alpha over these participants; NaN for fewer than two
+  std::string remark = {};  ///< why there are none, or what they mean (agreement_remark)
 };
 
 /// The reliability of each scale. Repeated ratings by a participant are averaged.

@@ -10,6 +10,7 @@
 
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/manifest/ratings/answers/trace.h"
+#include "pipeline/study/results/agreement_remark.h"
 
 namespace mien::pipeline {
 
@@ -71,6 +72,66 @@ std::vector<TracePoint> points_of(const CourseTraces& traces, double lag_s) {
   return points;
 }
 
+/// What a participant contributes to the parts of a film.
+struct Contributions {
+  std::vector<double> levels;   ///< of the part
+  std::vector<double> changes;  ///< from the part before
+};
+
+/// Mean of each participant's samples from one index to before another; empty if there are none.
+std::vector<double> levels_between(const Eigen::MatrixXd& table, std::size_t first,
+                                   std::size_t end) {
+  const auto from = static_cast<Eigen::Index>(first);
+  const Eigen::Index count = std::min(static_cast<Eigen::Index>(end), table.rows()) - from;
+  if (count <= 0) return {};
+  const Eigen::RowVectorXd means = table.middleRows(from, count).colwise().mean();
+  return {means.begin(), means.end()};
+}
+
+void set_level(const Contributions& of, TraceSegment& segment) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  segment.deviation = segment.change = none;
+  segment.ends = segment.change_ends = {none, none};
+  segment.people = static_cast<int>(of.levels.size());
+  const TTest level = paired_t_test(of.levels);
+  segment.mean = level.mean;
+  if (!of.changes.empty()) segment.change = paired_t_test(of.changes).mean;
+  if (segment.people < 2) return;
+  segment.deviation = level.standard_error * std::sqrt(static_cast<double>(segment.people));
+  segment.ends = {level.low(0.95), level.high(0.95)};
+  if (of.changes.empty()) return;
+  const TTest change = paired_t_test(of.changes);
+  segment.change_ends = {change.low(0.95), change.high(0.95)};
+}
+
+/// The parts of a film by its moods, of which there are several.
+std::vector<TraceSegment> segments_of(const CourseTraces& traces,
+                                      const std::vector<ShownMood>& moods, double lag_s,
+                                      double lead_s) {
+  const Eigen::MatrixXd table = traces.table(0);
+  const double film_s = static_cast<double>(table.rows() - 1) / trace_rate_hz - lag_s;
+  std::vector<TraceSegment> segments;
+  std::vector<double> before;
+  for (std::size_t i = 0; i < moods.size(); ++i) {
+    TraceSegment segment;
+    segment.mood = moods[i].mood;
+    segment.from_s = std::max(moods[i].from_s, lead_s);
+    segment.to_s = i + 1 < moods.size() ? moods[i + 1].from_s : film_s;
+    segment.to_s = std::min(segment.to_s, film_s);
+    const std::size_t end = i + 1 < moods.size() ? first_sample_from(moods[i + 1].from_s + lag_s)
+                                                 : static_cast<std::size_t>(table.rows());
+    Contributions of;
+    of.levels = levels_between(table, first_sample_from(segment.from_s + lag_s), end);
+    if (of.levels.empty()) continue;
+    for (std::size_t person = 0; person < before.size(); ++person)
+      of.changes.push_back(of.levels[person] - before[person]);
+    before = of.levels;
+    set_level(of, segment);
+    segments.push_back(segment);
+  }
+  return segments;
+}
+
 TraceAgreement agreement_on(const CourseTraces& traces, double from_s) {
   const Eigen::MatrixXd table = traces.table(first_sample_from(from_s));
   TraceAgreement result{.people = static_cast<int>(table.cols()),
@@ -79,6 +140,8 @@ TraceAgreement agreement_on(const CourseTraces& traces, double from_s) {
   const Agreement agreement = agreement_of(table);
   result.alpha = agreement.alpha;
   result.intraclass = agreement.all;
+  result.remark = agreement_remark(table, agreement, "times");
+  if (states_none(result.remark)) set_none(result.intraclass, result.alpha);
   return result;
 }
 
@@ -95,6 +158,12 @@ TraceResults trace_results(const AnswerSet& answer_set) {
         agreement_on(traces, answer_set.trace_lag_s + answer_set.trace_lead_s));
     results.agreement.back().stimulus = key.first;
     results.agreement.back().scale = key.second;
+    for (TraceSegment& segment : segments_of(traces, answer_set.stimuli[key.first].moods,
+                                             answer_set.trace_lag_s, answer_set.trace_lead_s)) {
+      segment.stimulus = key.first;
+      segment.scale = key.second;
+      results.segments.push_back(std::move(segment));
+    }
   }
   return results;
 }

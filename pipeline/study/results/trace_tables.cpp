@@ -30,6 +30,35 @@ constexpr auto mean_trace_columns = result_table<TracePointRow>(
       [](auto& r) { return r.point.ends.low; }},
      {"high", "0–100", "upper end", [](auto& r) { return r.point.ends.high; }}});
 
+using TraceSegmentRow = ResultRow<TraceSegment>;
+
+constexpr auto trace_segment_columns = result_table<TraceSegmentRow>(
+    "results/trace_segments.csv",
+    "mood of a stimulus whose mood changes, on a scale (continuous trials)",
+    {stimulus_column,
+     scale_column,
+     {"mood", "", "the mood that is shown", [](auto& r) { return r.of.mood; }},
+     {"from_s", "s", "time of the video from which it is shown; of the first mood, after the lead",
+      [](auto& r) { return r.of.from_s; }},
+     {"to_s", "s", "time of the video at which the next mood begins, or it ends",
+      [](auto& r) { return r.of.to_s; }},
+     {"people", "", "number of participants", [](auto& r) { return r.of.people; }},
+     {"mean", "0–100",
+      "mean over participants of the means of their traces in this time, moved back by the lag of "
+      "the analysis",
+      [](auto& r) { return r.of.mean; }},
+     {"sd", "0–100", "standard deviation (n − 1) over participants",
+      [](auto& r) { return r.of.deviation; }},
+     {"low", "0–100", "lower end of the 95 % interval of the mean (Student, over participants)",
+      [](auto& r) { return r.of.ends.low; }},
+     {"high", "0–100", "upper end", [](auto& r) { return r.of.ends.high; }},
+     {"change", "", "mean difference from the mood before; empty for the first",
+      [](auto& r) { return r.of.change; }},
+     {"change_low", "",
+      "lower end of the 95 % interval of the difference (Student, paired by participant)",
+      [](auto& r) { return r.of.change_ends.low; }},
+     {"change_high", "", "upper end", [](auto& r) { return r.of.change_ends.high; }}});
+
 constexpr auto trace_agreement_columns = result_table<TraceAgreementRow>(
     "results/trace_agreement.csv", "stimulus and scale of continuous trials",
     {stimulus_column,
@@ -43,7 +72,9 @@ constexpr auto trace_agreement_columns = result_table<TraceAgreementRow>(
      {"icc_2", "", "ICC(2,1) over times: agreement, participants random",
       [](auto& r) { return r.of.intraclass.two; }},
      {"icc_2_k", "", "ICC(2,k) of the mean of all participants",
-      [](auto& r) { return r.of.intraclass.two_k; }}});
+      [](auto& r) { return r.of.intraclass.two_k; }},
+     {"remark", "", "why there are no coefficients, or what negative ones mean",
+      [](auto& r) { return r.of.remark; }}});
 
 }  // namespace
 
@@ -53,6 +84,7 @@ void add_traces(const Results& results, std::vector<WrittenTable>& tables) {
   for (const MeanTrace& mean : results.traces.means)
     for (const TracePoint& point : mean.points) points.push_back({answer_set, mean, point});
   add_table(mean_trace_columns, points, answer_set.simulated, tables);
+  add_results(trace_segment_columns, results.traces.segments, answer_set, tables);
   add_results(trace_agreement_columns, results.traces.agreement, answer_set, tables);
 }
 

@@ -43,17 +43,24 @@ void complete_trace(const Question& question, AnswerRow& row) {
 /// Seconds in which an impression comes about: after these, 63 % of it.
 constexpr double impression_seconds = 1.5;
 
+/// Share of an opinion that is an impression, `seconds` after it is formed.
+double impression_share(double seconds) {
+  return seconds > 0.0 ? 1.0 - std::exp(-seconds / impression_seconds) : 0.0;
+}
+
 /// The impression begins at the start of the scale and approaches the participant's opinion; the
-/// marker follows it after the reaction lag, and wanders about it.
+/// marker follows it after the reaction lag, and wanders about it. Where the opinion changes, the
+/// impression approaches the changed one likewise; being linear, it is the sum of all approaches.
 std::string simulated_trace(const Question& question, const SimulatedView& view) {
   const double start = question.scale->starts_low ? 0.0 : 50.0;
   const double opinion = view.opinion(0);
   std::vector<double> trace(trace_samples(view.film_seconds));
   for (std::size_t k = 0; k < trace.size(); ++k) {
     const double seen = static_cast<double>(k) / trace_rate_hz - view.reaction_lag_s;
-    const double share = seen > 0.0 ? 1.0 - std::exp(-seen / impression_seconds) : 0.0;
     const double wander = k < view.wander.size() ? view.wander[k] : 0.0;
-    const double value = start + share * (opinion - start + wander);
+    double value = start + impression_share(seen) * (opinion - start + wander);
+    for (const auto& [from_s, change] : view.changes)
+      value += impression_share(seen - from_s) * change;
     const double shown = std::clamp(value, 0.0, 100.0);
     trace[k] = question.item.flipped ? 100.0 - shown : shown;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
@@ -128,6 +129,8 @@ struct SimulatedView {
   double film_seconds = 0.0;    ///< duration of the film
   double reaction_lag_s = 0.0;  ///< between what is seen and its rating
   std::vector<double> wander;   ///< deviation of each sample from the opinion, on the scale
+  /// Where the opinion changes: seconds of the film, and by how much, on the scale.
+  std::vector<std::pair<double, double>> changes = {};
 };
 
 /// A kind of trial: defines how responses are checked, completed and simulated. An attention check

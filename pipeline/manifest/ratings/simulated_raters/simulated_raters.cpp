@@ -136,6 +136,10 @@ Eigen::MatrixXd standardised(Eigen::MatrixXd values) {
 
 }  // namespace
 
+bool has_loadings(const Scale& scale) {
+  return !scale.loadings.empty() || builtin_meaning(scale.id) != nullptr;
+}
+
 StyleProfile loadings_of(const Scale& scale) {
   if (!scale.loadings.empty()) {
     StyleProfile loadings{};

@@ -48,6 +48,9 @@ struct SimulatedRaters {
 /// those of the built-in adjective pair with the same id. Throws Error if there are neither.
 StyleProfile loadings_of(const Scale& scale);
 
+/// Whether loadings_of has weights for a scale.
+bool has_loadings(const Scale& scale);
+
 /// Returns simulated answers. The weighted sum of the impressions is multiplied by 1.2 and by the
 /// gain of the rater on the scale, and limited by tanh; the offset of the rater on the scale and
 /// the noise of the answer are added, and the result is clamped to the scale's range and, if the

@@ -8,6 +8,7 @@
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
+#include "pipeline/study/questionnaire/session_duration.h"
 
 namespace mien::pipeline {
 
@@ -27,12 +28,12 @@ std::string readme(const Manifest& manifest, const MatchingStudy& study) {
   std::string text = fmt::format(
       "{}\n"
       "{}\n\n"
-      "Matching experiment of study {}: {} participants ({} to {}), {} trials and about {}\n"
-      "minutes each. Motions are synthesized in the browser; no network is needed and no data are\n"
+      "Matching experiment of study {}: {} participants ({} to {}), {} trials, expected\n"
+      "to take {} each. Motions are synthesized in the browser; no network is needed and no data "
+      "are\n"
       "sent.\n\n",
       title, std::string(title.size(), '='), manifest.study, study.plans.size(), first.participant,
-      study.plans.back().participant, first.trials.size(),
-      std::ceil(first.expected_seconds / 60.0));
+      study.plans.back().participant, first.trials.size(), duration_text(study.plans));
   text += fmt::format(
       "On this computer\n"
       "    Open index.html in a browser (double-click it). At the end the browser downloads four\n"

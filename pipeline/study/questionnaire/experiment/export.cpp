@@ -20,6 +20,7 @@
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/study/questionnaire/experiment/jatos_archive.h"
+#include "pipeline/study/questionnaire/session_duration.h"
 
 namespace mien::pipeline {
 
@@ -32,12 +33,6 @@ ordered_json variable(std::string_view name, std::string_view meaning, std::stri
   ordered_json made = {{"@type", "PropertyValue"}, {"name", name}, {"description", meaning}};
   if (!unit.empty()) made["unitText"] = unit;
   return made;
-}
-
-double longest_minutes(const std::vector<SessionPlan>& plans) {
-  double seconds = 0.0;
-  for (const SessionPlan& plan : plans) seconds = std::max(seconds, plan.expected_seconds);
-  return seconds / 60.0;
 }
 
 /// A page opened from a file cannot fetch a motion file next to it, but can load it as a script.
@@ -119,14 +114,13 @@ std::string export_readme(const Manifest& manifest, const std::vector<SessionPla
   const Questionnaire& questionnaire = questionnaire_of(manifest);
   const std::string& first = plans.front().participant;
   const std::string& last = plans.back().participant;
-  const double minutes = std::max(1.0, std::ceil(longest_minutes(plans)));
   std::string text = fmt::format(
       "{}\n"
       "{}\n\n"
-      "Questionnaire of study {}: {} participant{} ({} to {}), at most about {} minute{} each. No\n"
-      "network is needed and no data are sent.\n\n",
+      "Questionnaire of study {}: {} participant{} ({} to {}), expected to take {} each.\n"
+      "No network is needed and no data are sent.\n\n",
       title_of(manifest), std::string(title_of(manifest).size(), '='), manifest.study, plans.size(),
-      plans.size() == 1 ? "" : "s", first, last, minutes, minutes == 1.0 ? "" : "s");
+      plans.size() == 1 ? "" : "s", first, last, duration_text(plans));
   text += fmt::format(
       "On this computer\n"
       "    Open index.html in a browser (double-click it). At the end the browser downloads three\n"

@@ -27,6 +27,7 @@ struct TraceChart {
   struct Panel {
     std::string name;
     MeanTrace trace;
+    std::vector<ShownMood> moods;  ///< lines where they change
   };
   std::vector<Panel> panels;
   double start = 50.0;  ///< of the marker
@@ -57,6 +58,26 @@ void draw_trace_axes(Canvas& canvas, const Box& area, double longest) {
   }
 }
 
+/// Lines where the mood changes, each mood named at the top of its part of the film.
+void draw_moods(Canvas& canvas, const std::vector<ShownMood>& moods, double longest,
+                const Box& area) {
+  const auto x = [&](double time) { return area.x + time / longest * area.width; };
+  for (std::size_t i = 0; i < moods.size(); ++i) {
+    if (moods[i].from_s >= longest) return;
+    const double left = x(moods[i].from_s);
+    const double right =
+        i + 1 < moods.size() ? std::min(x(moods[i + 1].from_s), area.right()) : area.right();
+    if (i > 0)
+      canvas.line({left, area.y}, {left, area.bottom()},
+                  {.width = 0.8, .colour = quiet_ink, .dashed = true});
+    canvas.text({left + 3.0, area.y + 8.5}, moods[i].mood,
+                {.size = 7.0, .colour = quiet_ink, .max_width = right - left - 5.0});
+    if (i > 0)
+      canvas.text({left + 3.0, area.y + 16.5}, fmt::format("from {:.1f} s", moods[i].from_s),
+                  {.size = 6.5, .colour = quiet_ink, .max_width = right - left - 5.0});
+  }
+}
+
 void draw_trace_panel(Canvas& canvas, const TraceChart& chart, const TraceChart::Panel& panel,
                       const Box& area) {
   const std::vector<TracePoint>& points = panel.trace.points;
@@ -81,6 +102,7 @@ void draw_trace_panel(Canvas& canvas, const TraceChart& chart, const TraceChart:
     canvas.fill(band, created_colours.light, 0.4);
   }
   canvas.polyline(line, {.width = 1.5, .colour = created_colours.line});
+  draw_moods(canvas, panel.moods, longest, area);
   canvas.outline(area, {.width = 0.6, .colour = quiet_ink});
 }
 
@@ -127,15 +149,20 @@ void add_trace_figures(const Results& results, std::vector<ResultFigure>& figure
       ++number;
       figures.push_back(
           {"traces-" + scale.id + part, "traces", "", "",
-           "Mean of the markers over participants, with pointwise 95 % intervals (Student); the "
-           "means of trials leave out what is shaded.",
+           fmt::format(
+               "Mean of the markers over participants, with pointwise 95 % intervals "
+               "(Student); the means of trials leave out what is shaded.{}",
+               std::ranges::any_of(chart.panels, [](auto& one) { return !one.moods.empty(); })
+                   ? " Dashed lines: where the mood of the walk begins to change."
+                   : ""),
            with_simulated_mark(trace_plot(chart), answer_set.simulated)});
       chart.panels.clear();
     };
     for (const MeanTrace& mean : results.traces.means) {
       if (mean.scale != s || mean.points.empty()) continue;
       if (chart.panels.size() == most_trace_panels) draw();
-      chart.panels.push_back({answer_set.stimuli[mean.stimulus].id, mean});
+      const ReportedStimulus& stimulus = answer_set.stimuli[mean.stimulus];
+      chart.panels.push_back({stimulus.id, mean, stimulus.moods});
     }
     if (!chart.panels.empty()) draw();
   }

@@ -49,7 +49,7 @@ void HtmlRow::add(std::string_view css_class, const std::string& plain) {
 
 std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows) {
   if (rows.empty()) return "";
-  std::string html = "<div class=\"wide\"><table><thead><tr>";
+  std::string html = "<div class=\"wide\" tabindex=\"0\"><table><thead><tr>";
   for (const std::string_view head : heads)
     html += head.starts_with('<') ? fmt::format("<th class=\"text\">{}</th>", head.substr(1))
                                   : fmt::format("<th>{}</th>", head);

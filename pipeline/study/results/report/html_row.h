@@ -24,8 +24,8 @@ std::string p_text(double p);
 /// "sad – happy"
 std::string scale_name(const Scale& scale);
 
-/// A row of an HTML table. Cells of `text` and `prose` are left-aligned; only prose may wrap.
-/// Contents are escaped.
+/// A row of an HTML table. Cells of `text` and `prose` are left-aligned and may wrap; numbers do
+/// not. Contents are escaped.
 class HtmlRow {
  public:
   HtmlRow& text(const auto&... plain) { return (add("text", plain), ..., *this); }
@@ -42,7 +42,8 @@ class HtmlRow {
   std::string cells_;
 };
 
-/// A horizontally scrollable HTML table; empty if there are no rows. A "<" at the beginning of a
+/// An HTML table that can be scrolled horizontally, also by keyboard, and has shadows at the edges
+/// beyond which it goes on; empty if there are no rows. A "<" at the beginning of a
 /// heading is not shown; it aligns the heading to the left, for a column of text.
 std::string wide_table(const std::vector<std::string_view>& heads, const std::string& rows);
 

@@ -242,11 +242,13 @@ std::string agreement_html(const Results& results) {
                 .number(icc.stimuli, icc.raters, decimal(icc.answers_per_stimulus, 1), icc.one,
                         icc.one_k, icc.two, icc.two_k, icc.three, icc.three_k, r.complete_people,
                         r.alpha)
+                .text(r.remark)
                 .html();
   }
-  return wide_table({"<scale", "videos", "participants", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)",
-                     "ICC(2,k)", "ICC(3,1)", "ICC(3,k)", "rated all videos", "Cronbach’s α"},
-                    rows);
+  return wide_table(
+      {"<scale", "videos", "participants", "k", "ICC(1)", "ICC(1,k)", "ICC(2,1)", "ICC(2,k)",
+       "ICC(3,1)", "ICC(3,k)", "rated all videos", "Cronbach’s α", "<remark"},
+      rows);
 }
 
 std::string preferences_html(const Results& results) {

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
@@ -17,11 +20,39 @@ std::string trace_agreement_html(const Results& results) {
                 .text(answer_set.stimuli[one.stimulus].id, scale.low + " – " + scale.high)
                 .number(one.people, one.unmoved, one.samples, decimal(one.alpha),
                         decimal(one.intraclass.two), decimal(one.intraclass.two_k))
+                .text(one.remark)
                 .html();
   }
-  return wide_table(
-      {"<stimulus", "<scale", "participants", "not moved", "times", "α", "ICC(2,1)", "ICC(2,k)"},
-      rows);
+  return wide_table({"<stimulus", "<scale", "participants", "not moved", "times", "α", "ICC(2,1)",
+                     "ICC(2,k)", "<remark"},
+                    rows);
+}
+
+std::string trace_segments_html(const Results& results) {
+  const AnswerSet& answer_set = results.answer_set;
+  std::string rows;
+  for (const TraceSegment& one : results.traces.segments) {
+    const Scale& scale = answer_set.scales[one.scale];
+    const bool is_first = std::isnan(one.change);
+    rows += HtmlRow()
+                .text(answer_set.stimuli[one.stimulus].id, scale.low + " – " + scale.high, one.mood)
+                .number(fmt::format("{:.1f}–{:.1f}", one.from_s, one.to_s), one.people,
+                        decimal(one.mean, 1), interval_text(one.ends.low, one.ends.high, 1),
+                        decimal(one.deviation, 1), is_first ? "" : decimal(one.change, 1),
+                        is_first ? "" : interval_text(one.change_ends.low, one.change_ends.high, 1))
+                .html();
+  }
+  const std::string table = wide_table({"<stimulus", "<scale", "<mood", "time (s)", "participants",
+                                        "mean", "95 %", "SD", "change", "95 %"},
+                                       rows);
+  if (table.empty()) return "";
+  return html_paragraph(
+             "Mean level in each mood: the mean of each participant’s trace from the time at which "
+             "the mood begins to change to the next change, moved back by the lag of the analysis, "
+             "and the mean over participants with its 95 % interval (Student). Change: the "
+             "difference from the mood before, paired by participant. An impression takes a while "
+             "to follow a change, so that differences of the settled levels are larger.") +
+         table;
 }
 
 std::string lag_sentence(double lag_s) {
@@ -46,7 +77,7 @@ std::string trace_section_html(const Results& results, const std::string& figure
                          "of the film. The intervals (Student, over participants) are of each time "
                          "alone: over a whole course they hold less often than in 95 %.",
                          lag_sentence(answer_set.trace_lag_s), answer_set.trace_lead_s)) +
-         figures +
+         figures + trace_segments_html(results) +
          html_paragraph(
              "Agreement about the course of a film after the lead: times are what is rated, "
              "participants the raters. Cronbach’s α and intraclass correlations ICC(2,1) and "

@@ -77,6 +77,14 @@ TEST(Agreement, IsUnknownWhereNothingVaries) {
   EXPECT_TRUE(std::isnan(agreement_of(same).icc_2_k));
   EXPECT_TRUE(std::isnan(agreement_of(same).all.one_k));
   EXPECT_TRUE(std::isnan(cronbach_alpha(Eigen::MatrixXd::Random(4, 1))));
+  // What varies by rounding errors alone does not vary.
+  const Eigen::MatrixXd third = Eigen::MatrixXd::Constant(7, 3, 33.3);
+  EXPECT_TRUE(std::isnan(cronbach_alpha(third)));
+  EXPECT_TRUE(std::isnan(agreement_of(third).all.one));
+  Eigen::MatrixXd crossed(3, 3);
+  crossed << 0.1, 0.2, 0.3, 0.3, 0.1, 0.2, 0.2, 0.3, 0.1;
+  EXPECT_TRUE(std::isnan(cronbach_alpha(crossed))) << cronbach_alpha(crossed);
+  EXPECT_TRUE(std::isnan(intraclass(crossed).one_k)) << intraclass(crossed).one_k;
 }
 
 }  // namespace

@@ -348,6 +348,29 @@ TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
   };
   EXPECT_EQ(warnings("3"), 1u);
   EXPECT_EQ(warnings("2"), 0u);
+  EXPECT_EQ(warnings("0"), 1u) << "which are no checks";
+  EXPECT_TRUE(
+      questionnaire_warnings(test::asked_study(5, "participants: 4, scales: [sad-happy]")).empty());
+}
+
+TEST(QuestionnaireChecks, WarnOfPointsThatAreNotTheNumbersOfAScale) {
+  const auto warned = [](double least, double most, const std::string& answer) {
+    Manifest manifest =
+        test::asked_study(5, "participants: 4, scales: [sad-happy], answer: {" + answer + "}");
+    manifest.scales.file = "own.yaml";
+    manifest.scales.set.scales = {
+        {.id = "sad-happy", .low = "sad", .high = "happy", .least = least, .most = most}};
+    std::string text;
+    for (const Fault& fault : questionnaire_warnings(manifest))
+      text += fault.path + ": " + fault.wrong + "; " + fault.remedy + "\n";
+    return text;
+  };
+  EXPECT_EQ(warned(1.0, 7.0, "points: 5"),
+            "questionnaire.answer.points: \"sad-happy\" goes from 1 to 7, but is answered with 5 "
+            "points, which are 1.5 apart; for one point per number, answer: {points: 7}\n");
+  EXPECT_EQ(warned(1.0, 7.0, "points: 7"), "");
+  EXPECT_EQ(warned(-2.0, 2.0, "points: 7"), "") << "the range of built-in scales";
+  EXPECT_EQ(warned(0.0, 100.0, "slider: true"), "");
 }
 
 TEST(QuestionnaireChecks, WarnWhereOneRatingOfAHiddenReferenceExcludes) {

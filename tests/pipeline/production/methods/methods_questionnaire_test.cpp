@@ -64,7 +64,7 @@ class MethodsQuestionnaire : public testing::Test {
 /// and addresses of recruitment, the assumed pace, and which stimuli are for practice or form the
 /// listed pairs (their numbers are told). The last two say nothing without checks or rules.
 bool is_left_out(const std::string& path) {
-  constexpr std::array<std::string_view, 18> paths = {"questionnaire.title",
+  constexpr std::array<std::string_view, 17> paths = {"questionnaire.title",
                                                       "questionnaire.texts",
                                                       "questionnaire.consent",
                                                       "questionnaire.instructions",
@@ -74,7 +74,6 @@ bool is_left_out(const std::string& path) {
                                                       "questionnaire.answer.suggest",
                                                       "questionnaire.recruitment.prolific",
                                                       "questionnaire.recruitment.redirect",
-                                                      "questionnaire.analysis.plan",
                                                       "questionnaire.screening.questions[].ask",
                                                       "questionnaire.screening.questions[].answer",
                                                       "questionnaire.demographics[].",
@@ -152,6 +151,48 @@ TEST_F(MethodsQuestionnaire, SaysWhatWasAskedOfARating) {
         "of tests by the method of Benjamini and Hochberg.",
         "Participants who failed more than 1 attention check were left out."})
     expect_said(text, words);
+}
+
+TEST_F(MethodsQuestionnaire, DescribesWalksAlongPathsAndWhereTheirMoodChanges) {
+  const std::string text = methods_for(
+      "mien: 1\nstudy: s\nseed: 7\noutput: {video: [mp4], cycles: 2, frames: none}\nstimuli:\n"
+      "  - {id: a, path: [{stand: 0.5, mood: {sad: 1}}, {walk: 3, curve: -20}, {turn: 90}, {walk: "
+      "2, "
+      "pace: 0.8, mood: {happy: 1}}]}\n"
+      "  - {id: b, path: {points: [[0, 0], [0, 4]], pace: 0.9, mood: {quickness: 0.8}}}\n");
+  for (const char* words :
+       {"Two stimuli were synthesized along a path by a parametric walker",
+        "Its moods were mixtures of the parametric walks of builtin:walks-10 and blends of these "
+        "with given adjectives;",
+        "In a, the walker stood for 0.5 s, walked for 3 s in a curve of 20°/s to the right, turned "
+        "by 90° to the left and walked for 2 s at 0.8 times the speed of its mood (",
+        " m/s on average); its mood was sad until ", " s, then happy.",
+        "In b, the walker followed a path through 2 points on the floor, at 0.9 times the speed of "
+        "its mood (",
+        "its mood was 0.8 quickness.", "no files of single frames kept"})
+    expect_said(text, words);
+  EXPECT_EQ(text.find("repeated 2 times"), std::string::npos) << "a walk is not repeated\n" << text;
+}
+
+TEST_F(MethodsQuestionnaire, QuotesThePlanOfTheAnalysis) {
+  const std::string text = methods_of_asked(
+      "participants: 4, scales: [slow-fast], analysis: {plan: \"Walks a and b are "
+      "compared.\\n\\nThen "
+      "c and d.\"}");
+  expect_said(
+      text,
+      "The plan of the analysis, stated before the study, was as follows.\n\n> Walks a and b are "
+      "compared.\n> \n> Then c and d.\n");
+  expect_said(methods_html(text), "<blockquote><p>Walks a and b are compared.");
+}
+
+TEST_F(MethodsQuestionnaire, CountsInTheSingularAndOfTwo) {
+  const std::string asked = "participants: 4, scales: [slow-fast], attention: {every: 1}, ";
+  expect_said(methods_of_asked(asked + "stimuli: [a, b]"), "Each participant saw both stimuli.");
+  expect_said(methods_of_asked(asked + "stimuli: [a]"), "Each participant saw the one stimulus.");
+  const std::string all = methods_of_asked(asked + "comments: false");
+  expect_said(all, "Each participant saw all 4 stimuli.");
+  expect_said(all, "About every trial, an attention check");
 }
 
 TEST_F(MethodsQuestionnaire, SaysThatTheViewingDistanceWasMeasured) {

@@ -101,6 +101,29 @@ TEST(PlannedPower, OfAContrastIsThatOfTheNoncentralDistribution) {
   }
 }
 
+/// Table, text and figure list tests in the same order.
+TEST(PlannedPower, IsListedWithContrastsFirst) {
+  Manifest manifest = planned_study(2, 2);
+  manifest.questionnaire->analysis.factorial.contrasts = {acted_against_modified()};
+  const auto rows = planned_power(manifest, options_of({}, 0.5, {12}, 100));
+  std::vector<std::string> lines;
+  for (const std::string& line : planned_power_lines(rows, 12, 0.8, 0.05))
+    if (!line.starts_with(" ")) lines.push_back(line);
+  EXPECT_EQ(lines,
+            (std::vector<std::string>{"acted against modified (planned contrast, sad-happy)",
+                                      "made (effect, sad-happy)", "emotion (effect, sad-happy)",
+                                      "made × emotion (effect, sad-happy)"}));
+  const Plot chart = power_chart("planned", rows, 0.8);
+  const auto canvas = Canvas::svg(chart.width, chart.height);
+  chart.draw(*canvas);
+  std::vector<std::string> panels;
+  for (const DrawnText& text : canvas->texts())
+    for (const char* name : {"acted against modified", "made", "emotion", "made × emotion"})
+      if (text.text == name) panels.push_back(text.text);
+  EXPECT_EQ(panels, (std::vector<std::string>{"acted against modified", "made", "emotion",
+                                              "made × emotion"}));
+}
+
 /// Four sets of an acted and a modified stimulus, of which each participant sees so many.
 Manifest planned_grids(int sets_each) {
   Manifest manifest = planned_study(1, 4);

@@ -99,6 +99,17 @@ TEST_F(FrozenDesign, TellsWhatIsNoLongerAsItWas) {
   EXPECT_TRUE(holds(differences(manifest(""), made_), "inputs/c.txt changed"));
 }
 
+TEST_F(FrozenDesign, TellsAnotherNumberOfParticipantsAsThatAndNotAsAnotherDesign) {
+  write_file(bundle_, zip_of(files()));
+  Manifest more = manifest_;
+  more.questionnaire->participants = 9;
+  EXPECT_EQ(differences(more, made_),
+            "participants: the manifest plans 9 instead of the registered 4; everything that "
+            "follows is compared for the registered number\n");
+  more.questionnaire->comments = true;
+  EXPECT_TRUE(holds(differences(more, made_), "design: what participants see differs"));
+}
+
 TEST_F(FrozenDesign, IsRefusedWhereSomebodyChangedIt) {
   ZipFiles changed = files();
   changed["plans.csv"] += "p005,1,main,rating,a1,,sad-happy,,0,0,0,,1\n";

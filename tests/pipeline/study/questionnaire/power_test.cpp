@@ -26,7 +26,7 @@ TEST(PairedTPower, IsThatOfPublishedTables) {
 TEST(Power, OfASimulationIsThatOfThePairedTTest) {
   const Manifest manifest = asked_study(6, "participants: 30, scales: [sad-happy]");
   PowerOptions question;
-  question.spread = {.participant = 2.0, .stimulus = 1.0, .residual = 0.8};
+  question.spread = RatingSpread{.participant = 2.0, .stimulus = 1.0, .residual = 0.8};
   const PowerEstimate estimate = estimate_power(manifest, question);
   // Participants' leaning falls out of a difference, whose deviation is √2 that of a rating.
   const double deviation = std::sqrt(2.0) * 0.8;

@@ -462,5 +462,13 @@ TEST(LeastFilled, IsWhatWasGivenLeastAndSeenLeast) {
   EXPECT_EQ(next_plan(plans, given, finished), 5u);
 }
 
+TEST(SessionDuration, IsStatedInOneWay) {
+  std::vector<SessionPlan> plans(3);
+  for (SessionPlan& plan : plans) plan.expected_seconds = 312.0;
+  EXPECT_EQ(duration_text(plans), "5.2 min");
+  plans[1].expected_seconds = 366.0;
+  EXPECT_EQ(duration_text(plans), "5.2 to 6.1 min");
+}
+
 }  // namespace
 }  // namespace mien::pipeline

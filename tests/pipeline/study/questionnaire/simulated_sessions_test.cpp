@@ -1,5 +1,6 @@
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -48,9 +49,9 @@ TEST(SimulatedSessions, FollowTheStatedTruth) {
       asked_study(3, "participants: 400, scales: [sad-happy], answer: {slider: true}");
   const StatedTruth truth = {{{"a1", "sad-happy"}, 0.8}, {{"b2", "sad-happy"}, -0.4}};
   std::map<std::string, double> sums;
-  for (const AnswerRow& row :
-       simulated_sessions(manifest, plan_sessions(manifest), truth,
-                          {.spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}}))
+  for (const AnswerRow& row : simulated_sessions(
+           manifest, plan_sessions(manifest), truth,
+           {.spread = RatingSpread{.participant = 0.2, .stimulus = 0.0, .residual = 0.4}}))
     sums[row.stimulus] += std::stod(row.value);
   EXPECT_NEAR(sums["a1"] / 400, 0.8, 0.1);  // four standard errors
   EXPECT_NEAR(sums["b2"] / 400, -0.4, 0.1);
@@ -86,7 +87,8 @@ std::optional<std::string> no_variable(const std::string&) { return std::nullopt
 void expect_shipped_answers(const std::string& study) {
   const auto folder = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests";
   const Manifest manifest = load_manifest(folder / (study + ".yaml"), no_variable);
-  const auto rows = simulated_sessions(manifest, plan_sessions(manifest), measured_truth(manifest));
+  const auto rows =
+      simulated_sessions(manifest, plan_sessions(manifest), measured_truth(manifest).ratings);
   // Compared first, so that a difference does not print them all.
   const bool are_same = to_csv(rows) == read_file(folder / (study + ".answers.csv"));
   EXPECT_TRUE(are_same) << "mien study simulate " << study << " says something else by now";
@@ -99,7 +101,7 @@ TEST(SimulatedSessions, OfTheClosedLoopAreThoseThatItsNextRoundIsMadeOf) {
 
 TEST(MeasuredTruth, HasTheBriskWalkFasterAndTheSadOneSadder) {
   const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "closed-loop-1.yaml";
-  const StatedTruth truth = measured_truth(load_manifest(file, no_variable));
+  const StatedTruth truth = measured_truth(load_manifest(file, no_variable)).ratings;
   const auto of = [&](const char* stimulus, const char* scale) {
     return truth.at({stimulus, scale});
   };
@@ -125,6 +127,94 @@ TEST(StatedTruth, IsReadWithThePlacesOfWhatIsWrong) {
           "truth.csv:5:14", "truth.csv:6:14", "from -2 to 2"})
       EXPECT_NE(told.find(words), std::string::npos) << words << "\n" << told;
   }
+}
+
+TEST(StatedTruth, MayChangeWhileAVideoIsRated) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "truth.csv";
+  const Manifest manifest =
+      asked_study(3, "participants: 4, scales: [sad-happy], trials: continuous");
+  write_file(file,
+             "stimulus,scale,value,from_s\na1,sad-happy,80,6.5\na1,sad-happy,20,\n"
+             "b2,sad-happy,60,\n");
+  const AssumedTruth truth = read_truth(manifest, file);
+  EXPECT_EQ(truth.ratings.at({"a1", "sad-happy"}), 20.0);
+  EXPECT_EQ(truth.ratings.at({"b2", "sad-happy"}), 60.0);
+  ASSERT_EQ(truth.courses.size(), 1u);
+  const std::vector<TruthStep>& course = truth.courses.at({"a1", "sad-happy"});
+  ASSERT_EQ(course.size(), 1u);
+  EXPECT_EQ(course[0].from_s, 6.5);
+  EXPECT_EQ(course[0].value, 80.0);
+  const auto fault_of = [&](const std::string& rows, const Manifest& asked) {
+    write_file(file, "stimulus,scale,value,from_s\n" + rows);
+    try {
+      read_truth(asked, file);
+    } catch (const Faults& faults) {
+      return std::string(faults.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(fault_of("a1,sad-happy,20,-1\n", manifest).find("truth.csv:2:17: \"-1\" is no time"),
+            std::string::npos)
+      << fault_of("a1,sad-happy,20,-1\n", manifest);
+  EXPECT_NE(fault_of("a1,sad-happy,20,\na1,sad-happy,30,0\n", manifest)
+                .find("truth.csv:3:17: a second rating from 0 s on"),
+            std::string::npos);
+  EXPECT_NE(fault_of("a1,sad-happy,1,3\n", asked_study(3, "participants: 4, scales: [sad-happy]"))
+                .find("in continuous trials only"),
+            std::string::npos);
+}
+
+TEST(MeasuredTruth, OfAWalkerWhoseMoodChangesChangesWithIt) {
+  const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "continuous-study.yaml";
+  const AssumedTruth truth = measured_truth(load_manifest(file, no_variable));
+  ASSERT_EQ(truth.courses.size(), 2u);
+  const auto change = [&](const char* stimulus) {
+    const std::pair<std::string, std::string> named = {stimulus, "sad-happy"};
+    const TruthStep& step = truth.courses.at(named).front();
+    EXPECT_GT(step.from_s, 7.4) << "after half a second of standing and 7 s of walking";
+    EXPECT_LT(step.from_s, 8.5);
+    return step.value - truth.ratings.at(named);
+  };
+  EXPECT_GT(change("brightens"), 15.0);
+  EXPECT_LT(change("saddens"), -15.0);
+}
+
+TEST(MeasuredTruth, OffersATableForScalesWithoutAModel) {
+  const Manifest manifest = asked_study(2, "participants: 2, scales: [sad-happy]");
+  EXPECT_NO_THROW(refuse_scales_without_model(manifest));
+  Manifest other = manifest;
+  other.scales.file = "own.yaml";
+  other.scales.set.scales = {{.id = "grace", .low = "clumsy", .high = "graceful"}};
+  other.questionnaire->scales.ids = {"grace"};
+  try {
+    refuse_scales_without_model(other);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    const std::string told = error.what();
+    for (const char* words :
+         {"no model of \"grace\"", "--truth truth.csv",
+          "\n  stimulus,scale,value\n  a1,grace,-0.67\n  b2,grace,0.67\n", "`loadings:`"})
+      EXPECT_NE(told.find(words), std::string::npos) << words << "\n" << told;
+  }
+}
+
+TEST(SimulatedSessions, HaveTheSameShareOfEveryRange) {
+  EXPECT_EQ(usual_spread(4.0).participant, 0.3);
+  EXPECT_EQ(usual_spread(4.0).residual, 0.7);
+  EXPECT_EQ(usual_spread(100.0).participant, 7.5);
+  EXPECT_EQ(usual_spread(100.0).residual, 17.5);
+  Manifest manifest = asked_study(3, "participants: 60, scales: [sad-happy]");
+  manifest.scales.file = "own.yaml";
+  manifest.scales.set.scales = {
+      {.id = "warmth", .low = "cold", .high = "warm", .least = 0.0, .most = 100.0}};
+  manifest.questionnaire->scales.ids = {"warmth"};
+  manifest.questionnaire->answer.slider = true;
+  double squares = 0.0;
+  const auto rows = simulated_sessions(manifest, plan_sessions(manifest), {});
+  for (const AnswerRow& row : rows) squares += std::pow(std::stod(row.value) - 50.0, 2);
+  // 7.5 and 17.5 together are 19.
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(rows.size())), 19.0, 3.0);
 }
 
 TEST(DesignHash, IsOfWhatParticipantsSee) {

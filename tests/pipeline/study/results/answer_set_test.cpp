@@ -85,7 +85,7 @@ TEST(AnswerSet, TellsViewingDistancesOfIncludedParticipantsOnly) {
       rows, [&](const AnswerRow& row) { return row.participant == "p001" && row.trial == trial; });
   const AnswerSet answer_set = collect_answers(manifest, read_back(rows), choices);
   EXPECT_EQ(answer_set.people.size(), 2u);
-  ASSERT_EQ(answer_set.notes.size(), 1u);
+  ASSERT_EQ(answer_set.notes.size(), 2u);  // and that the unfinished are left out
   EXPECT_NE(answer_set.notes[0].find("mean 60.0 cm"), std::string::npos) << answer_set.notes[0];
 }
 
@@ -130,6 +130,69 @@ TEST(AnswerSet, RefusesWhatHoldsNothingThatCounts) {
   std::vector<AnswerRow> rows = answers_to(manifest);
   for (AnswerRow& row : rows) row.is_practice = true;
   EXPECT_TRUE(tells(gather_refusal(manifest, rows), "a.csv:1:1: holds no answers to analyse"));
+}
+
+TEST(AnswerSet, SaysHowManyAnswersAreLeftOutForWhichReasonAndTheWayOut) {
+  Manifest manifest = two_emotion_study(3);
+  manifest.questionnaire->attention_every = 2;
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  for (AnswerRow& row : rows)
+    if (row.kind == "attention") row.passed = false;
+  const std::string failed = gather_refusal(manifest, rows);
+  for (const char* words :
+       {"to practice, warm-up and check trials", "30 of 3 participants who are excluded",
+        "max_failed_checks: 3 participants", "admit more failed checks with --max-failed-checks"})
+    EXPECT_TRUE(tells(failed, words)) << words << "\n" << failed;
+  manifest.questionnaire->attention_every = 0;
+  manifest.questionnaire->analysis.quality.min_rt_ms = 50000.0;
+  const std::string fast = gather_refusal(manifest, answers_to(manifest));
+  EXPECT_TRUE(tells(fast, "of 30 answers, 30 that quality rules exclude (min_rt_ms: 3 part"))
+      << fast;
+  EXPECT_TRUE(tells(fast, "quality: {flagged: kept}")) << fast;
+  manifest.questionnaire->analysis.quality = {};
+  rows = answers_to(manifest);
+  for (AnswerRow& row : rows) row.value.clear();
+  EXPECT_TRUE(tells(gather_refusal(manifest, rows), "30 that are empty"))
+      << gather_refusal(manifest, rows);
+  ReportChoices choices{.without_unfinished = true};
+  rows = answers_to(manifest);
+  for (const AnswerRow& row : rows) choices.planned[row.seed] = 40;
+  try {
+    collect_answers(manifest, rows, choices);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_TRUE(tells(error.what(), "30 of 3 participants who did not finish")) << error.what();
+    EXPECT_TRUE(tells(error.what(), "omit --unfinished leave-out")) << error.what();
+  }
+}
+
+TEST(AnswerSet, NotesWhereTheCommandLineDepartsFromTheStatedAnalysis) {
+  const Manifest manifest = two_emotion_study(3);
+  const auto notes = [&](const ReportChoices& choices) {
+    std::string all;
+    for (const std::string& note : collect_answers(manifest, answers_to(manifest), choices).notes)
+      all += note + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes({.correction = TestCorrection::holm, .max_failed_checks = 1}), "");
+  EXPECT_EQ(notes({.correction = TestCorrection::none, .max_failed_checks = 3}),
+            "Deviation from the analysis that the manifest states: --correction none instead of "
+            "holm.\nDeviation from the analysis that the manifest states: --max-failed-checks 3 "
+            "instead of 1.\n");
+  EXPECT_TRUE(tells(notes({.without_unfinished = true}), "--unfinished leave-out instead of keep"));
+}
+
+TEST(AnswerSet, NotesThatAllAnswersAreInTheMiddle) {
+  const Manifest manifest = two_emotion_study(3);
+  const auto has_note = [&](const SimulatedParticipants& people) {
+    const AnswerSet answers = collect_answers(manifest, answers_to(manifest, {}, people));
+    return std::ranges::any_of(answers.notes, [](const std::string& note) {
+      return note.starts_with("All 30 answers on scales are exactly in the middle");
+    });
+  };
+  EXPECT_TRUE(
+      has_note({.spread = RatingSpread{.participant = 0.0, .stimulus = 0.0, .residual = 0.0}}));
+  EXPECT_FALSE(has_note({}));
 }
 
 TEST(AnswerSet, LeavesOutWhoFailsChecksAndSaysSo) {

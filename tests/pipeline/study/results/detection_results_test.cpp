@@ -14,7 +14,8 @@ namespace {
 
 /// Without bias, so that d′ is that of the truth.
 const SimulatedParticipants unbiased_people = {
-    .spread = {.participant = 0.0, .stimulus = 0.0, .residual = 0.4}, .attention_pass_rate = 1.0};
+    .spread = RatingSpread{.participant = 0.0, .stimulus = 0.0, .residual = 0.4},
+    .attention_pass_rate = 1.0};
 
 Manifest detection_study(const TrialForm& form, int participants) {
   Manifest manifest = two_emotion_study(participants);

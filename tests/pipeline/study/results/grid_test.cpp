@@ -55,7 +55,7 @@ const std::map<std::string, double> clear_means = {
 
 /// Participants whose ratings seldom reach an end of the scale.
 const SimulatedParticipants grid_people = {
-    .spread = {.participant = 5.0, .stimulus = 0.0, .residual = 8.0},
+    .spread = RatingSpread{.participant = 5.0, .stimulus = 0.0, .residual = 8.0},
     .attention_pass_rate = 1.0,
     .reference_recognition_rate = 1.0};
 

@@ -77,12 +77,12 @@ void expect_power_of_the_design(int studies) {
   constexpr int participants = 20;
   const Findings found = findings_of(studies, participants, {{{"sad", "sad-happy"}, -difference}});
   PowerOptions question;
-  question.spread = steady_people.spread;
+  question.spread = *steady_people.spread;
   question.difference = difference;
   question.studies = 2000;
   const PowerEstimate estimate = estimate_power(two_emotion_study(participants), question);
   const double exact = test::paired_t_power(participants, difference,
-                                            std::sqrt(2.0) * steady_people.spread.residual, level);
+                                            std::sqrt(2.0) * steady_people.spread->residual, level);
   EXPECT_NEAR(estimate.power.share, exact, 0.04);
   expect_share(found.paired, studies, exact, "paired t tests");
   // And where nothing was put in, nothing is found.

@@ -10,6 +10,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/statistics/reference_values.h"
+#include "pipeline/plot_texts.h"
 #include "pipeline/study/results/figures/result_figures.h"
 #include "pipeline/study/results/report/dataset.h"
 #include "pipeline/study/results/report/page_tables.h"
@@ -147,8 +148,9 @@ double true_trace(double seconds, double opinion) {
 constexpr double true_opinion = 70.0;
 
 SimulatedParticipants watchers(double seconds) {
-  SimulatedParticipants people = {.spread = {.participant = 4.0, .stimulus = 0.0, .residual = 6.0},
-                                  .attention_pass_rate = 1.0};
+  SimulatedParticipants people = {
+      .spread = RatingSpread{.participant = 4.0, .stimulus = 0.0, .residual = 6.0},
+      .attention_pass_rate = 1.0};
   people.film_seconds = {{"sad", seconds}, {"happy", seconds}};
   return people;
 }
@@ -171,6 +173,81 @@ TEST(TraceResults, FindTheTraceOfSimulatedParticipantsOnceTheirLagIsTakenOff) {
   const TraceResults late = trace_results(collect_answers(manifest, rows));
   EXPECT_NEAR(late.means[0].points[20].mean, 50.0, 1e-9);
   EXPECT_NEAR(late.means[0].points[50].mean, true_trace(3.0, true_opinion), 3.5);
+}
+
+/// The truth rises from 30 to 75 at 6 s; what is seen at 6 s is rated after the lag, and 63 % of
+/// the change 1.5 s later.
+TEST(TraceResults, FollowATruthThatChangesAfterTheLag) {
+  Manifest manifest = continuous_study(80);
+  const StatedTruth stated = {{{"sad", "sad-happy"}, 30.0}};
+  const TruthCourses courses = {{{"sad", "sad-happy"}, {{6.0, 75.0}}}};
+  SimulatedParticipants people = watchers(14.0);
+  people.reaction_lag_s = 1.5;
+  const std::vector<AnswerRow> rows =
+      simulated_sessions(manifest, plan_sessions(manifest), stated, people, courses);
+  manifest.questionnaire->analysis.lag = 1.5;
+  const ReportChoices choices{.moods = {{"sad", {{0.0, "sad"}, {6.0, "happy"}}}}};
+  const AnswerSet answers = collect_answers(manifest, rows, choices);
+  const TraceResults found = trace_results(answers);
+  const std::vector<TracePoint>& points = found.means[0].points;
+  const auto level = [&](double at) { return points[static_cast<std::size_t>(10.0 * at)].mean; };
+  EXPECT_NEAR(level(5.9), 30.0, 3.0);
+  EXPECT_NEAR(level(12.0), 75.0, 3.0);
+  // The mean trace crosses half of the change ln 2 × 1.5 s after it.
+  const double half = 0.5 * (level(5.9) + level(12.0));
+  const auto crossing = std::ranges::find_if(
+      points, [&](const TracePoint& one) { return one.time_s > 6.0 && one.mean > half; });
+  ASSERT_NE(crossing, points.end());
+  EXPECT_NEAR(crossing->time_s - 6.0, 1.5 * std::log(2.0), 0.35);
+  // The levels of both moods, and the change, which holds the way there.
+  ASSERT_EQ(found.segments.size(), 2u);
+  EXPECT_EQ(found.segments[0].mood, "sad");
+  EXPECT_EQ(found.segments[0].from_s, 1.0) << "after the lead";
+  EXPECT_EQ(found.segments[0].to_s, 6.0);
+  EXPECT_EQ(found.segments[1].from_s, 6.0);
+  EXPECT_NEAR(found.segments[1].to_s, 12.5, 1e-9) << "the last sample, less the lag";
+  EXPECT_TRUE(std::isnan(found.segments[0].change));
+  const double settling = 1.5 * (1.0 - std::exp(-6.5 / 1.5)) / 6.5;  // share of the change
+  EXPECT_NEAR(found.segments[1].mean, 75.0 - 45.0 * settling, 2.5);
+  EXPECT_NEAR(found.segments[1].change, found.segments[1].mean - found.segments[0].mean, 1e-9);
+  EXPECT_LT(found.segments[1].change_ends.low, found.segments[1].change);
+  EXPECT_GT(found.segments[1].change_ends.high, found.segments[1].change);
+  EXPECT_LT(found.segments[1].ends.high - found.segments[1].ends.low, 5.0);
+}
+
+/// Means over parts of traces that are known exactly.
+TEST(TraceResults, HaveTheExactLevelsOfParts) {
+  const Manifest manifest = continuous_study(2);
+  std::vector<double> low(41, 20.0), high(41, 30.0);
+  for (std::size_t k = 20; k < 41; ++k) {
+    low[k] = 60.0;
+    high[k] = 80.0;
+  }
+  const ReportChoices choices{.moods = {{"sad", {{0.0, "sad"}, {2.0, "happy"}}}}};
+  const std::vector<AnswerRow> rows = rows_of_traces(manifest, {low, high});
+  const Results results = results_of(collect_answers(manifest, rows, choices), rows, {});
+  ASSERT_EQ(results.traces.segments.size(), 2u);
+  const TraceSegment &first = results.traces.segments[0], &second = results.traces.segments[1];
+  EXPECT_DOUBLE_EQ(first.mean, 25.0);
+  EXPECT_DOUBLE_EQ(second.mean, 70.0);
+  EXPECT_DOUBLE_EQ(second.change, 45.0);
+  // Two differences, 40 and 50: Student's interval with 1 degree of freedom.
+  EXPECT_NEAR(second.change_ends.high, 45.0 + 12.7062 * 5.0, 1e-3);
+  EXPECT_NEAR(second.deviation, std::sqrt(200.0), 1e-9);
+  const std::string html = trace_section_html(results, "");
+  EXPECT_NE(html.find("Mean level in each mood"), std::string::npos);
+  EXPECT_NE(html.find("2.0–4.0"), std::string::npos);
+  bool has_table = false;
+  for (const WrittenTable& table : result_tables(results))
+    has_table = has_table || (table.form.path == "results/trace_segments.csv" &&
+                              table.csv.find("sad,sad-happy,happy,2,4,2,70,") != std::string::npos);
+  EXPECT_TRUE(has_table);
+  for (const ResultFigure& figure : result_figures(results)) {
+    if (figure.section != "traces") continue;
+    for (const char* words : {"sad", "happy", "from 2.0 s"})
+      EXPECT_TRUE(mien::test::says(figure.plot, words)) << words;
+    EXPECT_NE(figure.caption.find("Dashed lines"), std::string::npos);
+  }
 }
 
 /// How often pointwise intervals have the true value, at times that are far from each other.

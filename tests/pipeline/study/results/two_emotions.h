@@ -57,7 +57,8 @@ inline Manifest all_pairs_study(int participants) {
 
 /// Few who lean to an end, and answers that stay away from the ends.
 inline const SimulatedParticipants steady_people = {
-    .spread = {.participant = 0.2, .stimulus = 0.0, .residual = 0.4}, .attention_pass_rate = 1.0};
+    .spread = RatingSpread{.participant = 0.2, .stimulus = 0.0, .residual = 0.4},
+    .attention_pass_rate = 1.0};
 
 inline std::vector<AnswerRow> answers_to(const Manifest& manifest, const StatedTruth& truth = {},
                                          const SimulatedParticipants& people = steady_people) {

@@ -21,7 +21,8 @@ const StatedTruth truth = {{{"acted-sad", "sad-happy"}, -0.4},
 
 /// Noisy enough that every stimulus is chosen and not chosen.
 const SimulatedParticipants undecided_people = {
-    .spread = {.participant = 0.3, .stimulus = 0.0, .residual = 0.8}, .attention_pass_rate = 1.0};
+    .spread = RatingSpread{.participant = 0.3, .stimulus = 0.0, .residual = 0.8},
+    .attention_pass_rate = 1.0};
 
 /// The worth of the pairs of five stimuli, by the factors of the plan.
 struct Analysed {

@@ -65,8 +65,10 @@ TEST(ResultFigures, DividesWorthsThatCannotBeComparedByHeadings) {
                             "Group 2, whose worths can be compared with each other only",
                             "Log-worth (0: mean of the group)"})
     EXPECT_TRUE(test::says(figures[0].plot, words)) << words;
-  const auto whole = figures_of(
-      results_of_study(manifest, answers_to(manifest, {}, {.spread = {.residual = 1.5}})), "worth");
+  const auto whole =
+      figures_of(results_of_study(
+                     manifest, answers_to(manifest, {}, {.spread = RatingSpread{.residual = 1.5}})),
+                 "worth");
   EXPECT_FALSE(test::says(whole[0].plot, "Group 1"));
 }
 

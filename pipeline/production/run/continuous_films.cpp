@@ -1,4 +1,4 @@
-#include "pipeline/study/questionnaire/continuous_films.h"
+#include "pipeline/production/run/continuous_films.h"
 
 #include <algorithm>
 
@@ -11,9 +11,9 @@
 
 namespace mien::pipeline {
 
-void check_continuous_films(const Manifest& manifest, const VideoSeconds& seconds) {
-  const Questionnaire& asked = questionnaire_of(manifest);
-  if (!asked.trials->is_continuous) return;
+std::vector<Fault> continuous_film_faults(const Manifest& manifest, const VideoSeconds& seconds) {
+  if (!manifest.questionnaire || !manifest.questionnaire->trials->is_continuous) return {};
+  const Questionnaire& asked = *manifest.questionnaire;
   FaultList list(manifest.places);
   for (const std::string& id : shown_stimuli(manifest)) {
     const auto film = seconds.find(id);
@@ -39,7 +39,11 @@ void check_continuous_films(const Manifest& manifest, const VideoSeconds& second
                            motion::in_quotes(id), film->second, asked.continuous.lead, lag),
                "use a smaller analysis: {lag: …}, or a longer film");
   }
-  std::vector<Fault> faults = list.take();
+  return list.take();
+}
+
+void check_continuous_films(const Manifest& manifest, const VideoSeconds& seconds) {
+  std::vector<Fault> faults = continuous_film_faults(manifest, seconds);
   if (!faults.empty()) throw Faults(std::move(faults));
 }
 

@@ -1,4 +1,4 @@
-#include "pipeline/study/questionnaire/continuous_films.h"
+#include "pipeline/production/run/continuous_films.h"
 
 #include <gtest/gtest.h>
 
