@@ -58,7 +58,7 @@ void fields_of(auto&& field, MaybeConst<MoodChange> auto& change) {
 /// A mood in which a walk is shown from a time on, until that of the next one.
 struct ShownMood {
   double from_s = 0.0;  ///< seconds of what is shown; 0 of the first
-  std::string mood;     ///< in words: "sad", "0.6 sad + 0.4 tired"
+  std::string mood;     ///< in words: "sad", "0.6 sad and 0.4 tired"
 
   friend bool operator==(const ShownMood&, const ShownMood&) = default;
 };

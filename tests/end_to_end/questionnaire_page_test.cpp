@@ -320,79 +320,105 @@ std::string study_of_trials(const std::string& members) {
   return text + members;
 }
 
-TEST_F(QuestionnairePage, AsksForDifferencesSignalsAndTheBestByKeysAlone) {
-  struct Asked {
-    const char* kind;
-    const char* members;
-    std::set<std::string> raws;
-  };
-  const std::vector<Asked> all = {
-      {"same_different",
-       "  trials: same_different\n  preference: {shown: in_turn}\n",
-       {"same", "different"}},
-      {"yes_no",
-       "  trials: yes_no\n  question: Is this person sad?\n  signal: [sad]\n",
-       {"yes", "no"}},
-      {"two_interval",
-       "  trials: two_interval\n  question: Who is sad?\n  signal: [sad]\n  retest: {repeat: 1}\n",
-       {"first", "second"}},
-      {"best_worst",
-       "  trials: best_worst\n  scales: [sad-happy, weak-strong]\n  best_worst: {size: 3, sets: "
-       "4}\n",
-       {"1", "2", "3"}}};
-  for (const Asked& asked : all) {
-    const std::string kind = asked.kind;
-    const fs::path manifest = scratch->write(kind + ".yaml", study_of_trials(asked.members));
-    const fs::path there = scratch->path() / kind;
-    must_run(mien_with({"study", "export", manifest.string(), "--out",
-                        (scratch->path() / ("out-" + kind)).string(), "-o", there.string()}));
-    const json taken = played("keys", there);
-    EXPECT_EQ(taken.at("troubles"), json::array()) << kind;
-    std::set<std::string> raws;
-    int checks = 0;
-    std::map<std::string, std::map<std::string, std::string>> chosen;  // by trial and item
-    for (const auto& row : rows_in(taken.at("answers").get<std::string>())) {
-      const std::string raw = row.at("value_raw");
-      if (row.at("kind") == "attention") {
-        EXPECT_EQ(row.at("passed"), "1") << kind << " " << raw;
-        ++checks;
-        continue;
-      }
-      raws.insert(raw);
-      EXPECT_EQ(row.at("kind"), kind);
-      const std::string against = row.at("against"), value = row.at("value");
-      if (kind == "yes_no") {
-        EXPECT_EQ(against, "");
-      }
-      if (kind == "two_interval") {
-        EXPECT_EQ(value, raw == "first" ? row.at("stimulus") : against);
-        EXPECT_NE(row.at("stimulus") == "sad", against == "sad");
-      } else if (kind == "best_worst") {
-        std::istringstream shown(row.at("stimulus") + " " + against);
-        std::vector<std::string> stimuli;
-        for (std::string one; shown >> one;) stimuli.push_back(one);
-        ASSERT_EQ(stimuli.size(), 3u) << against;
-        EXPECT_EQ(value, stimuli.at(std::stoul(raw) - 1));
-        chosen[row.at("trial")][row.at("item")] = value;
-      } else {
-        EXPECT_EQ(value, raw);
-      }
+/// A kind of trials, the lines of its questionnaire, and the answers that it can have.
+struct AskedKind {
+  const char* kind;
+  const char* members;
+  std::set<std::string> raws;
+};
+
+void PrintTo(const AskedKind& asked, std::ostream* out) { *out << asked.kind; }
+
+/// An exported questionnaire of this kind, and its manifest. All kinds have the same films.
+fs::path exported(const AskedKind& asked) {
+  const std::string kind = asked.kind;
+  return shared_set_up("kind of trials " + kind, [&](const fs::path& here) {
+    const fs::path films = shared_set_up("films of kinds of trials", [](const fs::path& there) {
+      std::ofstream(there / "films.yaml") << study_text;
+      must_run(
+          mien_with({"run", (there / "films.yaml").string(), "--out", (there / "out").string()}));
+    });
+    fs::copy(films / "out", here / "out", fs::copy_options::recursive);
+    std::ofstream(here / "kind.yaml") << study_of_trials(asked.members);
+    must_run(mien_with({"study", "export", (here / "kind.yaml").string(), "--out",
+                        (here / "out").string(), "-o", (here / "page").string()}));
+  });
+}
+
+class KindsOfTrials : public QuestionnairePage, public testing::WithParamInterface<AskedKind> {};
+
+const std::vector<AskedKind> asked_kinds = {
+    {"same_different",
+     "  trials: same_different\n  preference: {shown: in_turn}\n",
+     {"same", "different"}},
+    {"yes_no",
+     "  trials: yes_no\n  question: Is this person sad?\n  signal: [sad]\n",
+     {"yes", "no"}},
+    {"two_interval",
+     "  trials: two_interval\n  question: Who is sad?\n  signal: [sad]\n  retest: {repeat: 1}\n",
+     {"first", "second"}},
+    {"best_worst",
+     "  trials: best_worst\n  scales: [sad-happy, weak-strong]\n  best_worst: {size: 3, sets: 4}\n",
+     {"1", "2", "3"}}};
+
+TEST_P(KindsOfTrials, AreAnsweredByKeysAlone) {
+  const AskedKind& asked = GetParam();
+  const std::string kind = asked.kind;
+  const fs::path folder = exported(asked);
+  const json taken = played("keys", folder / "page");
+  EXPECT_EQ(taken.at("troubles"), json::array()) << kind;
+  std::set<std::string> raws;
+  int checks = 0;
+  std::map<std::string, std::map<std::string, std::string>> chosen;  // by trial and item
+  for (const auto& row : rows_in(taken.at("answers").get<std::string>())) {
+    const std::string raw = row.at("value_raw");
+    if (row.at("kind") == "attention") {
+      EXPECT_EQ(row.at("passed"), "1") << kind << " " << raw;
+      ++checks;
+      continue;
     }
-    EXPECT_EQ(raws, asked.raws) << kind;
-    EXPECT_GE(checks, 1) << kind;
-    for (auto& [trial, items] : chosen) {
-      EXPECT_EQ(items.size(), 4u) << trial;
-      EXPECT_NE(items["sad-happy/best"], items["sad-happy/worst"]);
-      EXPECT_NE(items["weak-strong/best"], items["weak-strong/worst"]);
+    raws.insert(raw);
+    EXPECT_EQ(row.at("kind"), kind);
+    const std::string against = row.at("against"), value = row.at("value");
+    if (kind == "yes_no") {
+      EXPECT_EQ(against, "");
     }
-    // The answers of the page are those that a report takes.
-    std::ofstream(there / "answers/answers.csv") << taken.at("answers").get<std::string>();
-    must_run(mien_with({"study", "report", (there / "answers/answers.csv").string(),
-                        manifest.string(), "-o", (scratch->path() / (kind + "-report")).string()}));
-    const json checked = played("accessibility", there);
-    EXPECT_EQ(checked.at("faults"), json::array()) << kind;
+    if (kind == "two_interval") {
+      EXPECT_EQ(value, raw == "first" ? row.at("stimulus") : against);
+      EXPECT_NE(row.at("stimulus") == "sad", against == "sad");
+    } else if (kind == "best_worst") {
+      std::istringstream shown(row.at("stimulus") + " " + against);
+      std::vector<std::string> stimuli;
+      for (std::string one; shown >> one;) stimuli.push_back(one);
+      ASSERT_EQ(stimuli.size(), 3u) << against;
+      EXPECT_EQ(value, stimuli.at(std::stoul(raw) - 1));
+      chosen[row.at("trial")][row.at("item")] = value;
+    } else {
+      EXPECT_EQ(value, raw);
+    }
   }
-  const json set = played("set", scratch->path() / "best_worst");
+  EXPECT_EQ(raws, asked.raws) << kind;
+  EXPECT_GE(checks, 1) << kind;
+  for (auto& [trial, items] : chosen) {
+    EXPECT_EQ(items.size(), 4u) << trial;
+    EXPECT_NE(items["sad-happy/best"], items["sad-happy/worst"]);
+    EXPECT_NE(items["weak-strong/best"], items["weak-strong/worst"]);
+  }
+  // The answers of the page are those that a report takes.
+  const fs::path answers = scratch->write("answers.csv", taken.at("answers").get<std::string>());
+  must_run(mien_with({"study", "report", answers.string(), (folder / "kind.yaml").string(), "-o",
+                      (scratch->path() / (kind + "-report")).string()}));
+}
+
+TEST_P(KindsOfTrials, HaveNoFaultOfAccessibility) {
+  EXPECT_EQ(played("accessibility", exported(GetParam()) / "page").at("faults"), json::array());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, KindsOfTrials, testing::ValuesIn(asked_kinds),
+                         [](const auto& asked) { return std::string(asked.param.kind); });
+
+TEST_F(QuestionnairePage, BarsTheBestFromBeingTheWorst) {
+  const json set = played("set", exported(asked_kinds.back()) / "page");
   EXPECT_EQ(set.at("troubles"), json::array());
   EXPECT_EQ(set.at("barred").at(0), (json{"free", "chosen", "free"}));
   EXPECT_EQ(set.at("barred").at(1), (json{"free", "barred", "free"}));

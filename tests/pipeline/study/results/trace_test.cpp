@@ -190,11 +190,11 @@ TEST(TraceResults, FollowATruthThatChangesAfterTheLag) {
   const AnswerSet answers = collect_answers(manifest, rows, choices);
   const TraceResults found = trace_results(answers);
   const std::vector<TracePoint>& points = found.means[0].points;
-  const auto level = [&](double at) { return points[static_cast<std::size_t>(10.0 * at)].mean; };
-  EXPECT_NEAR(level(5.9), 30.0, 3.0);
-  EXPECT_NEAR(level(12.0), 75.0, 3.0);
+  const auto level_at = [&](double at) { return points[static_cast<std::size_t>(10.0 * at)].mean; };
+  EXPECT_NEAR(level_at(5.9), 30.0, 3.0);
+  EXPECT_NEAR(level_at(12.0), 75.0, 3.0);
   // The mean trace crosses half of the change ln 2 × 1.5 s after it.
-  const double half = 0.5 * (level(5.9) + level(12.0));
+  const double half = 0.5 * (level_at(5.9) + level_at(12.0));
   const auto crossing = std::ranges::find_if(
       points, [&](const TracePoint& one) { return one.time_s > 6.0 && one.mean > half; });
   ASSERT_NE(crossing, points.end());
