@@ -28,11 +28,11 @@ const Repertoire& builtin_repertoire() {
   return repertoire;
 }
 
-const motion::Example& example(const std::string& name) {
+const motion::Example& example(const char* name) {
   for (const motion::Example& one : builtin_repertoire().settled.examples) {
     if (one.name == name) return one;
   }
-  throw Error("no example " + name, "");
+  throw Error(std::string("no example ") + name, "");
 }
 
 StyleStep step_by(StyleMethod method) {

@@ -72,13 +72,13 @@ PlannedPowerOptions options_of(const RatingSpread& spread, double difference,
   return options;
 }
 
-const PlannedTestPower& row_of(const std::vector<PlannedTestPower>& rows, const std::string& name,
+const PlannedTestPower& row_of(const std::vector<PlannedTestPower>& rows, const char* name,
                                TestedBy by, int participants, int per_cell = -1) {
   const auto found = std::ranges::find_if(rows, [&](const PlannedTestPower& row) {
     return row.name == name && row.by == by && row.participants == participants &&
            (per_cell < 0 || row.stimuli_per_cell == per_cell);
   });
-  if (found == rows.end()) throw Error("no row of " + name, "simulate it");
+  if (found == rows.end()) throw Error(std::string("no row of ") + name, "simulate it");
   return *found;
 }
 
