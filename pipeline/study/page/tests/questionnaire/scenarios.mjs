@@ -710,11 +710,14 @@ async function points() {
       await page.setViewportSize({ width, height });
       broken[`${language} ${width}`] = await page.evaluate(() => [...document.querySelectorAll(".choice-note")].flatMap((note) => {
         const range = document.createRange();
-        return [...note.textContent.matchAll(/[^\s\u00ad]+/gu)].filter(({ index, 0: word }) => {
-          range.setStart(note.firstChild, index);
-          range.setEnd(note.firstChild, index + word.length);
-          return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1;
-        }).map(([word]) => word);
+        // Behind a soft hyphen that is shown, a letter has the place of the hyphen first, and its own last.
+        const lineOf = (at) => {
+          range.setStart(note.firstChild, at);
+          range.setEnd(note.firstChild, at + 1);
+          return Math.round([...range.getClientRects()].at(-1)?.top ?? NaN);
+        };
+        return [...note.textContent.matchAll(/[^\s\u00ad]+/gu)].filter(({ index, 0: word }) =>
+          lineOf(index) !== lineOf(index + word.length - 1)).map(([word]) => word);
       }));
     }
     server.close();
