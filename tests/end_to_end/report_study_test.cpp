@@ -149,7 +149,7 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
       run_mien({"study", "design", study, "-o", (folder.path() / "p.csv").string(), "--freeze",
                 with_power, "--out", made, "--power", "--studies", "100"});
   ASSERT_EQ(powered.code, 0) << powered.errors;
-  // Before its bytes, in the list of checksums and in the list at the end; the README names it always.
+  // Before its bytes, in the list of checksums and in the list at the end.
   EXPECT_EQ(count_of(text_of(with_power), "power.txt"), count_of(names, "power.txt") + 3);
   EXPECT_EQ(powered.errors.find("no power analysis"), std::string::npos) << powered.errors;
 
