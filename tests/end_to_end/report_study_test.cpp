@@ -74,7 +74,7 @@ TEST_F(ReportedStudy, TellsAFileOfAnswersFromAManifest) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST_F(ReportedStudy, IsDesignedWithNumbersOfTrialsAndAWarningOfSpreadsForOtherScales) {
+TEST_F(ReportedStudy, IsDesignedWithNumbersOfTrialsAndNotWithSpreadsOfOtherScales) {
   const std::string plans = (folder.path() / "plans.csv").string();
   const auto design = [&](const std::string& more, const std::vector<std::string>& words) {
     std::string text = reported_text;
@@ -85,16 +85,18 @@ TEST_F(ReportedStudy, IsDesignedWithNumbersOfTrialsAndAWarningOfSpreadsForOtherS
     all.insert(all.end(), words.begin(), words.end());
     return run_mien(all);
   };
-  constexpr char warning[] = "sad-happy goes from 0 to 100, but the standard deviations assumed";
+  constexpr char refusal[] = "--spread 12.5,12.5,20 --difference 12.5";
   const Ended plain = design("scales: [sad-happy]\n  practice: [usual]", {});
   ASSERT_EQ(plain.code, 0) << plain.errors;
   EXPECT_NE(plain.output.find("gaits: 6 participants, 3 trials each: 2 analysed, 1 for practice\n"),
             std::string::npos)
       << plain.output;
-  EXPECT_EQ(plain.errors.find("standard deviations assumed"), std::string::npos);
   const std::string grid = "scales: [sad-happy]\n  trials: grid\n  grid: {sets: [[usual, sad]]}";
-  EXPECT_NE(design(grid, {}).errors.find(warning), std::string::npos);
-  EXPECT_EQ(design(grid, {"--spread", "8,8,15"}).errors.find(warning), std::string::npos);
+  const Ended unstated = design(grid, {});
+  EXPECT_EQ(unstated.code, 2);
+  EXPECT_NE(unstated.errors.find(refusal), std::string::npos) << unstated.errors;
+  EXPECT_EQ(unstated.output.find("participants (simulation interval"), std::string::npos);
+  EXPECT_EQ(design(grid, {"--spread", "8,8,15", "--difference", "10"}).code, 0);
 }
 
 TEST_F(ReportedStudy, IsNotDesignedIfFilmsEndBeforeTheLeadOfContinuousRatings) {

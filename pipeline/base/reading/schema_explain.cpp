@@ -64,6 +64,39 @@ std::string example_of(const json& node) {
   return "for example " + as_yaml(node["examples"][0]);
 }
 
+/// " from 1 to 5", " of 1 or more"; empty without limits.
+std::string range_of(const json& node) {
+  const bool has_least = node.contains("minimum"), has_most = node.contains("maximum");
+  if (has_least && has_most)
+    return " from " + shown(node["minimum"]) + " to " + shown(node["maximum"]);
+  if (has_least) return " of " + shown(node["minimum"]) + " or more";
+  return has_most ? " of " + shown(node["maximum"]) + " or less" : "";
+}
+
+std::vector<std::string> words_of_choices(const json& node) {
+  std::vector<std::string> words;
+  for (const json& choice : node["enum"]) words.push_back(as_yaml(choice));
+  return words;
+}
+
+/// What a branch of a union takes: "counted, none", "a whole number from 0 to 1000".
+std::string named_branch(const json& branch) {
+  if (branch.contains("enum")) return fmt::format("{}", fmt::join(words_of_choices(branch), ", "));
+  return named(branch["type"]) + range_of(branch);
+}
+
+/// The branches of a union of types, resolved; empty for any other node.
+std::vector<const json*> branches_of(SchemaNode node) {
+  const SchemaNode whole = resolved_schema(node, {});
+  std::vector<const json*> branches;
+  if (!whole || !whole.node->contains("oneOf")) return branches;
+  for (const json& branch : (*whole.node)["oneOf"]) {
+    const SchemaNode resolved = resolved_schema({whole.root, &branch}, {});
+    if (resolved.node->contains("type")) branches.push_back(resolved.node);
+  }
+  return branches;
+}
+
 /// The names that properties have now.
 std::vector<std::string> keys_of(const json& properties) {
   std::vector<std::string> keys;
@@ -75,8 +108,13 @@ std::vector<std::string> keys_of(const json& properties) {
 /// Collects what is wrong with one value.
 class Explainer {
  public:
-  Explainer(const json& value, SchemaNode node, const std::string& path, const Places& places)
-      : value_(value), schema_(node), node_(*node.node), path_(path), places_(places) {}
+  /// `branches`: those of the union of types of which `node` is one, if it is.
+  Explainer(const json& value, SchemaNode node, const std::vector<const json*>& branches,
+            const std::string& path, const Places& places)
+      : value_(value), schema_(node), node_(*node.node), path_(path), places_(places) {
+    for (const json* branch : branches)
+      if (branch != node.node) or_else_ += ", or " + named_branch(*branch);
+  }
 
   std::vector<Fault> faults() {
     if (node_.contains("type") ? explain_type() : explain_union()) return std::move(faults_);
@@ -115,10 +153,10 @@ class Explainer {
   bool explain_union() {
     if (!node_.contains("oneOf")) return false;
     std::string types;
-    for (const json& branch : node_["oneOf"]) {
-      const SchemaNode resolved = resolved_schema({schema_.root, &branch}, {});
+    for (const json* branch : branches_of(schema_)) {
       if (!types.empty()) types += " or ";
-      types += named((*resolved.node)["type"]);
+      types +=
+          branch->contains("enum") ? "one of " + named_branch(*branch) : named((*branch)["type"]);
     }
     add("must be " + types + " but is " + described(value_), example_of(node_));
     return true;
@@ -132,14 +170,13 @@ class Explainer {
   void explain_choice() {
     const json& choices = node_["enum"];
     if (std::find(choices.begin(), choices.end(), value_) != choices.end()) return;
-    std::vector<std::string> words;
-    for (const json& choice : choices) words.push_back(as_yaml(choice));
+    const std::vector<std::string> words = words_of_choices(node_);
     // A single number is the version of a format.
     if (words.size() == 1 && choices[0].is_number_integer() && value_.is_number_integer() &&
         value_ > choices[0])
       return add("is version " + shown(value_) + ", which this version of mien does not know",
                  "use a newer version of mien, or write " + words[0]);
-    if (words.size() == 1)
+    if (words.size() == 1 && or_else_.empty())
       return add("must be " + words[0] + " but is " + shown(value_), "write " + words[0]);
     const std::string word = value_.is_string() ? value_.get<std::string>() : shown(value_);
     const bool is_near = motion::nearest_word(word, words).has_value();
@@ -148,7 +185,8 @@ class Explainer {
       add(shown(value_) + " is not one of " + choices_listed, motion::did_you_mean(word, words));
     } else {
       add(shown(value_) + " is not one of the choices",
-          "use one of " + choices_listed + otherwise(word));
+          (words.size() == 1 ? "use " : "use one of ") + choices_listed + or_else_ +
+              otherwise(word));
     }
   }
 
@@ -166,13 +204,8 @@ class Explainer {
     const bool low = node_.contains("minimum") && value < node_["minimum"].get<double>();
     const bool high = node_.contains("maximum") && value > node_["maximum"].get<double>();
     if (!low && !high) return;
-    add(shown(value_) + " is out of range", "use " + named(node_["type"]) + " " + range());
-  }
-
-  std::string range() const {
-    if (!node_.contains("maximum")) return "of " + shown(node_["minimum"]) + " or more";
-    if (!node_.contains("minimum")) return "of " + shown(node_["maximum"]) + " or less";
-    return "from " + shown(node_["minimum"]) + " to " + shown(node_["maximum"]);
+    add(shown(value_) + " is out of range",
+        "use " + named(node_["type"]) + range_of(node_) + or_else_);
   }
 
   void explain_text() {
@@ -266,6 +299,7 @@ class Explainer {
   const json& node_;
   const std::string& path_;
   const Places& places_;
+  std::string or_else_;  ///< ", or a whole number from 0 to 1000": what other branches take
   std::vector<Fault> faults_;
 };
 
@@ -273,9 +307,10 @@ class Explainer {
 
 std::vector<Fault> explain(const json& value, SchemaNode node, const std::string& path,
                            const Places& places) {
+  const std::vector<const json*> branches = branches_of(node);
   node = resolved_schema(node, value);
   if (!node) return {};
-  return Explainer(value, node, path, places).faults();
+  return Explainer(value, node, branches, path, places).faults();
 }
 
 }  // namespace mien::pipeline

@@ -52,6 +52,8 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
   const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
   const Results results = results_of(collect_answers(manifest, rows), rows, {});
   write_results(results, rows, {}, folder.path());
+  const fs::path about = folder.path() / "README.md";
+  write_file(about, read_file(about) + "\n" + dummy_assumptions(manifest));
   add_folder(files, folder.path(), "dummy-report");
 }
 
@@ -158,19 +160,25 @@ void print_power(const DesignCommand& command, const Manifest& manifest, const C
     print_power_of(scale, question, manifest, console, out);
 }
 
-/// Warns if the usual standard deviations, those of scales from -2 to 2, are assumed on others.
-void warn_of_usual_spread(const DesignCommand& command, const Manifest& manifest,
-                          const Console& console) {
+/// Refuses to assume the usual standard deviations and difference, those of scales from -2 to 2, on
+/// other scales.
+void refuse_usual_spread(const DesignCommand& command, const Manifest& manifest) {
   if (!command.power || !command.ratings.empty() || !command.spread.empty()) return;
   const ScaleSet asked = questionnaire_scales(manifest);
   const auto other = std::ranges::find_if(asked.scales, [](const Scale& scale) {
     return std::abs(scale.most - scale.least - 4.0) > 1e-9;
   });
   if (other == asked.scales.end()) return;
-  console.err << fmt::format(
-      "warning: {} goes from {:g} to {:g}, but the standard deviations assumed for its ratings are "
-      "those of scales from -2 to 2; state --spread and --difference\n",
-      other->id, other->least, other->most);
+  const RatingSpread usual;
+  const double points = (other->most - other->least) / 4.0;
+  throw Error(
+      fmt::format("{} goes from {:g} to {:g}, and --power knows usual standard deviations and a "
+                  "usual difference for scales from -2 to 2 only",
+                  other->id, other->least, other->most),
+      fmt::format("state them in points of the scale; those of scales from -2 to 2 are, by range, "
+                  "--spread {:g},{:g},{:g} --difference {:g}",
+                  points * usual.participant, points * usual.stimulus, points * usual.residual,
+                  points * PowerOptions().difference));
 }
 
 /// The planned tests, simulated with the assumptions of the command.
@@ -267,7 +275,7 @@ int design(const DesignCommand& command, const Console& console) {
     refuse_figure_loss(command.planned);
   }
   refuse_data_loss(tables, files_of_design(command, manifest), command.frozen);
-  warn_of_usual_spread(command, manifest, console);
+  refuse_usual_spread(command, manifest);
   const std::optional<PlannedTestsResult> tests = planned_tests_of(command, manifest, console);
   if (tests) tables.back().csv = power_table(tests->rows).csv;
   std::ostringstream power;  // told to people, and registered

@@ -126,6 +126,9 @@ void print_planned_tests(const PlannedTestsResult& result, double wanted_power,
   for (const std::string& sentence :
        planned_power_lines(result.rows, result.stated_participants, wanted_power, alpha))
     out << "  " << sentence << '\n';
+  for (const std::string& sentence :
+       planned_power_notes(result.rows, result.stated_participants, alpha))
+    out << sentence << '\n';
   for (const std::string& sentence : result.assumptions) out << sentence << '\n';
 }
 

@@ -160,6 +160,8 @@ std::vector<std::string> excluded_sentences(const Results& results) {
 /// The last of the counts is that of all rules.
 void print_rule_counts(const AnswerSet& answer_set, const std::vector<RuleCount>& counts,
                        std::ostream& out) {
+  const char* name =
+      has_attention_checks(answer_set) ? "quality rules and attention checks" : "quality rules";
   std::ptrdiff_t rules = 0, excluding = 0;
   for (const RuleCount& count : std::span(counts).first(counts.size() - 1)) {
     if (count.rule == word_of(quality_rule_words, QualityRule::max_failed_checks)) continue;
@@ -167,9 +169,12 @@ void print_rule_counts(const AnswerSet& answer_set, const std::vector<RuleCount>
     excluding += count.is_excluded;
   }
   const RuleCount& all = counts.back();
+  if (all.answers == 0 && all.participants == 0) {
+    out << fmt::format("{} flag no answers and no participants\n", name);
+    return;
+  }
   out << fmt::format(
-      "{} flag {} of {}: {}\n",
-      has_attention_checks(answer_set) ? "quality rules and attention checks" : "quality rules",
+      "{} flag {} of {}: {}\n", name,
       counted_noun(static_cast<std::size_t>(all.answers), "answer", "answers"),
       counted_noun(static_cast<std::size_t>(all.participants), "participant", "participants"),
       excluding == rules ? "excluded"

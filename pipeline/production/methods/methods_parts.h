@@ -87,7 +87,8 @@ void describe_trials(MethodsText& out);
 /// Level of significance, correction, and exclusion by attention checks.
 void describe_tests(MethodsText& out);
 
-/// The factors and contrasts by which answers to the questionnaire are analysed, if stated.
+/// The factors and contrasts by which answers to the questionnaire are analysed, if stated, and
+/// what the report computes in any case.
 void describe_factorial_plan(MethodsText& out);
 
 /// The quality rules by which answers to the questionnaire are flagged.

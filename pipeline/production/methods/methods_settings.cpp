@@ -12,6 +12,7 @@
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
 #include "pipeline/manifest/quality_rules.h"
+#include "pipeline/manifest/reported_analyses.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/methods/methods_parts.h"
@@ -161,6 +162,7 @@ void describe_factorial_plan(MethodsText& out) {
   const std::string sentence = factorial_sentence(out.manifest.questionnaire->analysis.factorial,
                                                   analysed_answers(out.manifest));
   if (!sentence.empty()) out.say(sentence);
+  for (const std::string& also : reported_analyses(out.manifest, ReportTense::past)) out.say(also);
 }
 
 void describe_quality_rules(MethodsText& out) {

@@ -105,6 +105,13 @@ std::string grid_text(const Manifest& manifest) {
       among("an anchor was among them", grid.anchor));
 }
 
+/// What the mean of a trial is of: "leaves out the first 2.5 seconds".
+std::string lead_text(double seconds) {
+  if (seconds == 0.0) return "is of all samples";
+  if (seconds == 1.0) return "leaves out the first second";
+  return fmt::format("leaves out the first {:g} seconds", seconds);
+}
+
 /// "1 second", "2.5 seconds"
 std::string seconds_text(double seconds) {
   return fmt::format("{:g} second{}", seconds, seconds == 1.0 ? "" : "s");
@@ -136,8 +143,8 @@ void describe_traces(MethodsText& out) {
   out.say(fmt::format(
       "Its position was recorded at each refresh of the screen and interpolated to 10 samples per "
       "second of the film’s own time, in which stops of the film have no part; the mean of a trial "
-      "leaves out the first {}",
-      seconds_text(continuous.lead)));
+      "{}",
+      lead_text(continuous.lead)));
   const std::string reaction =
       "Continuous ratings lag behind what is seen; for annotators of emotion, delays of 1 to 6 "
       "seconds have been reported" +

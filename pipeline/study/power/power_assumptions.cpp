@@ -25,8 +25,8 @@ std::string spread_text(const ScaleSpread& scale) {
 std::string effect_text(const PlannedPowerOptions& options) {
   if (options.truth) return "Assumed effects: those of the stated true ratings.";
   return fmt::format(
-      "Assumed effects: {:g} points in one test at a time, and none in the other tests.",
-      options.difference);
+      "Assumed effects: {:g} point{} in one test at a time, and none in the other tests.",
+      options.difference, options.difference == 1.0 ? "" : "s");
 }
 
 std::string correction_text(const AnalysisPlan& plan) {

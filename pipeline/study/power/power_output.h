@@ -17,6 +17,11 @@ WrittenTable power_table(const std::vector<PlannedTestPower>& rows);
 std::vector<std::string> power_assumptions(const Manifest& manifest,
                                            const PlannedPowerOptions& options);
 
+/// Sentences on what those lines mean: what counts as a false positive, and why a test with too
+/// many of them has no number of participants.
+std::vector<std::string> planned_power_notes(const std::vector<PlannedTestPower>& rows,
+                                             int participants, double alpha);
+
 /// The power of each test against the number of participants, with a line for each number of
 /// stimuli per cell and for each way of testing, and Monte-Carlo intervals. At most
 /// most_power_panels tests, planned contrasts first. `notes` are printed below, a line each.

@@ -67,12 +67,16 @@ std::string power_text(const Row& row) {
                      100.0 * row.power_error, 100.0 * row.false_positives.share);
 }
 
+/// More than α by more than the error of the simulation.
+bool has_false_positives(const Row& row, double alpha) {
+  return row.studies > 0 && row.false_positives.low > 1.2 * alpha;
+}
+
 /// The smallest of the simulated numbers of participants with the intended power, and where a test
 /// is not valid.
 std::string needed_text(const std::vector<Row>& rows, const Row& row, double wanted_power,
                         double alpha) {
-  // More than α by more than the error of the simulation.
-  if (row.false_positives.low > 1.2 * alpha)
+  if (has_false_positives(row, alpha))
     return row.by == TestedBy::participants ? "valid for these stimuli only" : "not valid";
   const Row* least = nullptr;
   int most = 0;
@@ -116,6 +120,31 @@ std::vector<std::string> planned_power_lines(const std::vector<Row>& rows, int p
     lines.push_back(line);
   }
   return lines;
+}
+
+std::vector<std::string> planned_power_notes(const std::vector<Row>& rows, int participants,
+                                             double alpha) {
+  std::vector<std::string> notes = {fmt::format(
+      "False positives: percent of simulated studies without any effect in which the test is "
+      "significant by itself, with α = {:g} and not corrected for multiple comparisons.",
+      alpha)};
+  const auto any_by = [&](TestedBy by) {
+    return std::ranges::any_of(rows, [&](const Row& row) {
+      return row.participants == participants && row.by == by && has_false_positives(row, alpha);
+    });
+  };
+  if (any_by(TestedBy::participants))
+    notes.emplace_back(
+        "“Valid for these stimuli only”: the test does not control for stimuli. It takes "
+        "differences between these particular stimuli for effects, and more often so with more "
+        "participants; hence no number of participants is given. Use more stimuli per cell and the "
+        "test with participants and stimuli random, or estimate power for these particular stimuli "
+        "(--spread with 0 for stimuli).");
+  if (any_by(TestedBy::participants_and_stimuli))
+    notes.emplace_back(
+        "“Not valid”: the test has more false positives than α even with stimuli random; hence no "
+        "number of participants is given. Use more stimuli per cell.");
+  return notes;
 }
 
 }  // namespace mien::pipeline

@@ -17,6 +17,7 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/reported_analyses.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -41,8 +42,7 @@ constexpr char readme[] =
     "scales.csv           scales used\n"
     "scale_words.csv      names of their ends in all languages\n"
     "analysis-plan.txt    planned analysis\n"
-    "procedure.md         participants, procedure and analysis as the methods section will state "
-    "them\n"
+    "procedure.md         participants, procedure and analysis as in the methods section\n"
     "references.bib       works that it cites (BibTeX)\n"
     "stimuli.csv          SHA-256 of all media shown\n"
     "inputs/              the manifest and the files that it names\n"
@@ -127,10 +127,23 @@ std::string tests_plan(const Questionnaire& asked) {
   if (asked.attention_every > 0)
     text += fmt::format(
         "Participants who fail more than {} attention check{} are left out of the analysis with "
-        "all "
-        "of their answers.\n",
+        "all of their answers.\n",
         analysis.max_failed_checks, analysis.max_failed_checks == 1 ? "" : "s");
   return text;
+}
+
+/// Precedes what the report computes in any case, whose words may differ between versions.
+constexpr char reported_heading[] = "\nmien study report computes in any case:\n";
+std::string reported_text(const Manifest& manifest) {
+  std::string text;
+  for (const std::string& sentence : reported_analyses(manifest, ReportTense::present))
+    text += (text.empty() ? reported_heading : "") + ("- " + sentence + ".\n");
+  return text;
+}
+
+/// An analysis plan without what the report computes in any case.
+std::string stated_part(const std::string& plan) {
+  return plan.substr(0, plan.rfind(reported_heading));
 }
 
 /// The plan as the manifest has it, followed by how it is tested, by factors and contrasts, and by
@@ -143,7 +156,7 @@ std::string analysis_plan_text(const Manifest& manifest) {
         factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
         quality_plan(questionnaire_of(manifest))})
     if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
-  return plan;
+  return plan + reported_text(manifest);
 }
 
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
@@ -213,7 +226,8 @@ std::string stimuli_csv(const Manifest& manifest, const fs::path& study_folder) 
 /// All files but the hashes of the media, which may not exist yet.
 ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   ZipFiles files;
-  files["README.txt"] = readme;
+  files["README.txt"] =
+      fmt::format("{}\nThe dummy report. {}", readme, dummy_assumptions(manifest));
   files["design.json"] = design_json(manifest, plans);
   files["plans.csv"] = plans_csv(plans);
   files["balance.csv"] = balance_csv(balance_of(manifest, plans));
@@ -341,14 +355,6 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
   frozen[hashes_path] = hashes_text(frozen);
 }
 
-std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
-                                     const std::vector<SessionPlan>& plans) {
-  SimulatedParticipants people = {.attention_pass_rate = 1.0};
-  if (questionnaire_of(manifest).trials->is_continuous)
-    people.film_seconds = video_seconds(manifest);
-  return simulated_sessions(manifest, plans, {}, people);
-}
-
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans) {
   frozen["dummy-report/answers.csv"] = to_csv(dummy_answers(manifest, plans));
@@ -362,8 +368,8 @@ std::vector<std::string> frozen_differences(const fs::path& bundle, const Manife
   // Whether anything else differs is seen at the registered number of participants.
   Manifest compared = manifest;
   const auto design = ordered_json::parse(then["design.json"]);
-  const auto registered = design.find("participants");
-  if (registered != design.end() && registered->is_number_integer()) {
+  if (const auto registered = design.find("participants");
+      registered != design.end() && registered->is_number_integer()) {
     const auto participants = registered->get<std::int64_t>();
     const int planned = questionnaire_of(manifest).participants;
     if (participants != planned && participants >= 1 &&
@@ -379,7 +385,7 @@ std::vector<std::string> frozen_differences(const fs::path& bundle, const Manife
   compare_designs(then["design.json"], now["design.json"], differences);
   compare_tables("plans of participants", then["plans.csv"], now["plans.csv"], differences);
   compare_tables("scales", then["scales.csv"], now["scales.csv"], differences);
-  if (then["analysis-plan.txt"] != now["analysis-plan.txt"])
+  if (stated_part(then["analysis-plan.txt"]) != stated_part(now["analysis-plan.txt"]))
     differences.push_back("analysis: the plan differs");
   compare_tables("inputs", then["inputs.csv"], now["inputs.csv"], differences);
   if (study_folder.empty()) {

@@ -53,6 +53,10 @@ void add_folder(ZipFiles& frozen, const std::filesystem::path& folder, const std
 std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
                                      const std::vector<SessionPlan>& plans);
 
+/// What the dummy answers assume, in sentences, ended by a line end: that stimuli have no effect,
+/// how answers vary, and what is recognised.
+std::string dummy_assumptions(const Manifest& manifest);
+
 /// Adds the dummy answers (dummy-report/answers.csv), so that the analysis can be tested before
 /// data collection.
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,

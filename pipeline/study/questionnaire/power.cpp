@@ -169,6 +169,11 @@ void check(const Manifest& manifest, const PowerOptions& options) {
   check_level(levels, options, options.other_level);
 }
 
+/// "1 point", "0.5 points"
+std::string points_text(double points) {
+  return fmt::format("{:g} point{}", points, points == 1.0 ? "" : "s");
+}
+
 std::string number_or_more(int number, int most) {
   return number == 0 ? fmt::format("more than {}", most) : std::to_string(number);
 }
@@ -226,11 +231,10 @@ std::vector<std::string> power_sentences(const PowerOptions& options,
   return {
       fmt::format("Standard deviations: participants {:.2f}, stimuli {:.2f}, residual SD {:.2f}.",
                   spread.participant, spread.stimulus, spread.residual),
-      fmt::format(
-          "Power to detect a difference of {:g} points between {} (paired t test, α = {:g}): {} of "
-          "{} simulated studies, with {} planned participants, of whom {:.1f} see both.",
-          options.difference, compared, options.alpha, percent(estimate.power), options.studies,
-          estimate.participants, estimate.usable),
+      fmt::format("Power to detect a difference of {} between {} (paired t test, α = {:g}): {} of "
+                  "{} simulated studies, with {} planned participants, of whom {:.1f} see both.",
+                  points_text(options.difference), compared, options.alpha, percent(estimate.power),
+                  options.studies, estimate.participants, estimate.usable),
       fmt::format("False-positive rate without a true difference: {}.",
                   percent(estimate.false_positives)),
       is_false_positive_rate_inflated(options, estimate)

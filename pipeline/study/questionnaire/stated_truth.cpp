@@ -159,6 +159,41 @@ std::string example_of_truth(const Manifest& manifest) {
   return table;
 }
 
+/// Horizontal speeds of the root over half a second around each frame, metres per second.
+std::vector<double> walking_speeds(const motion::Clip& walk) {
+  const int half = std::max(1, static_cast<int>(std::lround(0.25 * walk.frames_per_second)));
+  std::vector<double> speeds;
+  for (int frame = 0; frame < walk.frame_count(); ++frame) {
+    const int from = std::max(0, frame - half);
+    const int to = std::min(walk.frame_count() - 1, frame + half);
+    motion::Vec3 way = walk.poses[static_cast<std::size_t>(to)].root_position -
+                       walk.poses[static_cast<std::size_t>(from)].root_position;
+    way.y() = 0.0;
+    speeds.push_back(way.norm() * walk.frames_per_second / std::max(1, to - from));
+  }
+  return speeds;
+}
+
+/// Keeps the part of a walk that shows its mood wherever it comes on the way: without standing at
+/// its ends and, after a change of mood, without the second in which the walker changes over. A
+/// walk of which less than a second would remain is left as it is.
+void keep_steady_part(motion::Example& walk, bool is_after_change) {
+  const motion::Clip& clip = walk.clip;
+  if (clip.loops || clip.frame_count() < 2) return;
+  const std::vector<double> speeds = walking_speeds(clip);
+  std::vector<double> sorted = speeds;
+  std::ranges::sort(sorted);
+  const double walking = 0.5 * sorted[sorted.size() / 2];
+  const auto second = static_cast<int>(std::lround(clip.frames_per_second));
+  int first = is_after_change ? std::min(second, clip.frame_count() - 1) : 0;
+  int last = clip.frame_count() - 1;
+  while (first < last && speeds[static_cast<std::size_t>(first)] < walking) ++first;
+  while (last > first && speeds[static_cast<std::size_t>(last)] < walking) --last;
+  if (last - first < second) return;
+  walk.clip = motion::cut(clip, first, last);
+  walk.keytimes = {0.0, walk.clip.duration_seconds()};
+}
+
 }  // namespace
 
 AssumedTruth read_truth(const Manifest& manifest, const std::filesystem::path& file) {
@@ -191,6 +226,7 @@ AssumedTruth measured_truth(const Manifest& manifest) {
     const Stimulus* stimulus = form.is_continuous ? motions.stimulus(id) : nullptr;
     if (stimulus != nullptr) {
       for (MoodStretch& stretch : mood_stretches(motions, *stimulus)) {
+        keep_steady_part(stretch.motion, stretch.from_s > 0.0);
         set.examples.push_back(std::move(stretch.motion));
         starts.push_back(stretch.from_s);
       }
@@ -198,6 +234,7 @@ AssumedTruth measured_truth(const Manifest& manifest) {
     if (!set.examples.empty() && set.examples.back().name == id) continue;
     set.examples.push_back(motions.of(id).motion);
     set.examples.back().name = id;
+    if (stimulus != nullptr && stimulus->walk) keep_steady_part(set.examples.back(), false);
     starts.push_back(0.0);
   }
   AssumedTruth truth;

@@ -31,7 +31,8 @@ std::string agreement_remark(const Eigen::MatrixXd& answers, const Agreement& ag
   if (answers.allFinite() && are_equal(answers.rowwise().mean()))
     return "none: the means of all " + many + " are equal";
   if (!all.is_connected) return "in part: participants without " + many + " in common";
-  if (all.one < 0.0 || all.two < 0.0 || agreement.alpha < 0.0)
+  // ICC(1) does not count: it is also negative where raters differ in level.
+  if (all.two < 0.0 || agreement.alpha < 0.0)
     return "negative: differences between " + many + " are no larger than by chance";
   if (agreement.complete_raters < 2) return "α: fewer than two participants rated all " + many;
   return "";

@@ -29,14 +29,17 @@ bool is_making_factor(const std::string& factor) {
   return std::ranges::find(making, factor) != making.end();
 }
 
-ReportedStimulus reported(const Stimulus& stimulus) {
+bool has_matched_sound(const Stimulus& stimulus) { return sound_level(stimulus) == "matched"; }
+
+/// `has_audio_levels`: whether stimuli of the study differ in the factor `audio`.
+ReportedStimulus reported(const Stimulus& stimulus, bool has_audio_levels) {
   ReportedStimulus result;
   result.id = stimulus.id;
   result.factors = levels_of(stimulus);
   for (const auto& [factor, level] : result.factors) {
     if (factor == "made") result.made = level;
     if (factor == "emotion") result.emotion = level;
-    if (is_making_factor(factor)) continue;
+    if (is_making_factor(factor) || (factor == "audio" && !has_audio_levels)) continue;
     result.setting += (result.setting.empty() ? "" : ", ") + level;
   }
   return result;
@@ -48,9 +51,13 @@ std::vector<ReportedStimulus> reported_stimuli(const Manifest& manifest) {
   const Questionnaire& questionnaire = questionnaire_of(manifest);
   std::set<std::string> shown(asked.begin(), asked.end());
   shown.insert(questionnaire.practice.begin(), questionnaire.practice.end());
+  const bool has_audio_levels =
+      !std::ranges::all_of(manifest.stimuli, [&](const Stimulus& stimulus) {
+        return !shown.contains(stimulus.id) || has_matched_sound(stimulus);
+      });
   std::vector<ReportedStimulus> stimuli;
   for (const Stimulus& stimulus : manifest.stimuli)
-    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus));
+    if (shown.contains(stimulus.id)) stimuli.push_back(reported(stimulus, has_audio_levels));
   return stimuli;
 }
 

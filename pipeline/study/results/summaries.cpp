@@ -103,6 +103,8 @@ std::vector<Reliability> reliability_of(const AnswerSet& answer_set) {
                    agreement_remark(table, agreement, "videos")});
     Reliability& own = all.back();
     if (states_none(own.remark)) set_none(own.intraclass, own.alpha);
+    if (own.remark.empty() && own.intraclass.one < 0.0)
+      own.remark = "ICC(1) is negative: participants differ in level more than videos do";
   }
   return all;
 }

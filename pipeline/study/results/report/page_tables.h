@@ -33,6 +33,12 @@ std::string agreement_html(const Results& results);
 std::string preferences_html(const Results& results);
 std::string remarks_html(const std::vector<Remark>& remarks);
 
+/// How families of comparisons are formed and corrected in the section of the highest-rated videos
+/// and in `others`, by their titles, of the page. `has_overall`: whether these have tables over all
+/// settings.
+std::string correction_html(const AnswerSet& answer_set, const std::vector<std::string>& others,
+                            bool has_overall);
+
 /// The section of the analysis by the factors of the design: method, tables and `figures`. Empty
 /// without factors.
 std::string factor_section_html(const Results& results, const std::string& figures);

@@ -113,24 +113,22 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   return html;
 }
 
-std::string method_html(const AnswerSet& answer_set) {
-  return html_paragraph(fmt::format(
-      "All tests are two-sided with α = {:g}. Correction for multiple comparisons: {}, "
-      "within each family of comparisons. In this section, the comparisons of all "
-      "videos on all scales form one family. In the sections “Modified, acted and "
-      "neutral motions” and “Actors and other factors”, each kind of comparison (such as "
-      "modified vs. acted) forms two families: those on the intended emotion's scale, "
-      "and those on all other scales; in tables over all settings, the single emotions "
-      "form one family, and the row “all” is not corrected. In these three sections, "
-      "rows marked * are significant by the paired t test after correction.",
-      answer_set.alpha, name_of(answer_set.correction)));
+constexpr char differences_title[] = "Modified, acted and neutral motions";
+
+/// Actors are named only if there are several.
+std::string levels_title(const Results& results) {
+  const bool has_actors = std::ranges::any_of(results.comparisons, [](const Comparison& c) {
+    return c.family == ComparisonFamily::between_levels && c.factor == "actor";
+  });
+  return has_actors ? "Actors and other factors" : "Videos that differ in one factor";
 }
 
-std::string best_html(const Results& results, const PageParts& parts) {
+std::string best_html(const Results& results, const PageParts& parts,
+                      const std::vector<std::string>& others) {
   const std::string table = best_seen_html(results);
   if (table.empty()) return "";
   std::string html =
-      method_html(results.answer_set) +
+      correction_html(results.answer_set, others, !results.overall.empty()) +
       html_paragraph(
           "A setting is a combination of levels of all factors except “made”, “emotion”, "
           "“strength”, “example” and “clip”, such as “woman, walk”. For each setting and each end "
@@ -204,18 +202,17 @@ std::string differences_html(const Results& results, const PageParts& parts) {
              "How strongly the intended emotion is perceived. A setting is a combination of "
              "levels of all factors except “made”, “emotion”, “strength”, “example” and “clip”. "
              "For each kind of comparison, the first table is over all settings (none for the "
-             "highest-rated unmodified video); its values are scale units from the middle of the "
-             "scale towards the emotion. It is based on each participant’s means over the settings "
-             "and emotions "
-             "for which the participant rated both motions compared (matched pairs: their number, "
-             "summed over participants). The other table is video by video: means and Welch’s test "
-             "include all ratings of the two videos, and the other columns the n participants who "
-             "rated both; its values are on the scale itself, positive towards its high end. "
-             "The highest-rated unmodified video is, of the setting’s unmodified videos, the one "
-             "with the mean rating farthest towards the emotion; it was selected "
-             "using the same answers, so its ratings are biased upwards. The other scales are in "
-             "results/comparisons.csv. Where all within-participant differences are equal, no t "
-             "test is possible (“all equal”).") +
+             "highest-rated unmodified video); its values are scale units from the middle of "
+             "the scale towards the emotion. It is based on each participant’s means over the "
+             "settings and emotions for which the participant rated both motions compared "
+             "(matched pairs: their number, summed over participants). The other table is video "
+             "by video: means and Welch’s test include all ratings of the two videos, and the "
+             "other columns the n participants who rated both; its values are on the scale "
+             "itself, positive towards its high end. The highest-rated unmodified video is, of "
+             "the setting’s unmodified videos, the one with the mean rating farthest towards "
+             "the emotion; it was selected using the same answers, so its ratings are biased "
+             "upwards. The other scales are in results/comparisons.csv. Where all "
+             "within-participant differences are equal, no t test is possible (“all equal”).") +
          unmatched_html(results) + html;
 }
 
@@ -340,17 +337,27 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
   PageParts parts(results, figures);
   parts.section("people", "Participants", people_html(results));
   parts.section("quality", "Quality rules", quality_html(results));
+  // What the analysis plan states comes first.
+  const auto add_factors = [&] {
+    parts.section("factors", "Factors of the design",
+                  factor_section_html(results, parts.figures("factors")));
+  };
+  const bool is_planned = !results.answer_set.factorial.empty();
+  if (is_planned) add_factors();
   parts.section("means", "Means", parts.figures("means"));
   parts.section("grid", "Sets of stimuli", grid_section_html(results, parts.figures("grid")));
   parts.section("traces", "Ratings over time",
                 trace_section_html(results, parts.figures("traces")));
   parts.section("histograms", "Distributions of answers", parts.figures("histograms"));
-  parts.section("best", "Highest-rated videos", best_html(results, parts));
-  parts.section("differences", "Modified, acted and neutral motions",
-                differences_html(results, parts));
-  parts.section("factors", "Factors of the design",
-                factor_section_html(results, parts.figures("factors")));
-  parts.section("levels", "Actors and other factors", levels_html(results, parts));
+  const std::string differences = differences_html(results, parts);
+  const std::string levels = levels_html(results, parts);
+  std::vector<std::string> others;
+  if (!differences.empty()) others.emplace_back(differences_title);
+  if (!levels.empty()) others.push_back(levels_title(results));
+  parts.section("best", "Highest-rated videos", best_html(results, parts, others));
+  parts.section("differences", differences_title, differences);
+  if (!is_planned) add_factors();
+  parts.section("levels", levels_title(results), levels);
   parts.section("groups", "Groups of participants", groups_part(results, parts));
   parts.section("confusion", "Confusion", confusion_html(results, parts));
   parts.section("correlations", "Correlations", parts.figures("correlations"));

@@ -100,6 +100,9 @@ TEST(Schema, FindsWordsForEveryRule) {
       "e": {"type": "string", "enum": ["red", "green"]},
       "f": {"type": "string", "enum": ["red", "blue"], "x-otherwise": "for others write {rgb: …}"},
       "a": {"type": "array", "minItems": 1, "maxItems": 2, "items": {"type": "boolean"}},
+      "r": {"oneOf": [{"type": "string", "enum": ["counted", "none"]},
+                      {"type": "integer", "minimum": 0, "maximum": 9}]},
+      "w": {"oneOf": [{"type": "string", "enum": ["auto"]}, {"type": "number", "minimum": 2}]},
       "u": {"oneOf": [{"type": "string"}, {"type": "object", "required": ["k"]}]},
       "o": {"type": "object", "oneOf": [{"required": ["x"]}, {"required": ["y"]}]}
     }})");
@@ -130,6 +133,17 @@ TEST(Schema, FindsWordsForEveryRule) {
             "a: has 0 elements but must have at least 1; add elements");
   EXPECT_EQ(told({{"n", 1}, {"a", {true, 1}}}),
             "a[1]: must be true or false but is 1; write true or false");
+  // Options that take a choice or a number name both.
+  EXPECT_EQ(
+      told({{"n", 1}, {"r", "two"}}),
+      "r: \"two\" is not one of the choices; use one of counted, none, or a whole number from "
+      "0 to 9");
+  EXPECT_EQ(told({{"n", 1}, {"r", 10}}),
+            "r: 10 is out of range; use a whole number from 0 to 9, or counted, none");
+  EXPECT_EQ(told({{"n", 1}, {"r", true}}),
+            "r: must be one of counted, none or a whole number but is true; ");
+  EXPECT_EQ(told({{"n", 1}, {"w", "much"}}),
+            "w: \"much\" is not one of the choices; use auto, or a number of 2 or more");
   EXPECT_EQ(told({{"n", 1}, {"u", 1}}), "u: must be text or a map of keys and values but is 1; ");
   EXPECT_EQ(told({{"n", 1}, {"u", json::object()}}), "u.k: missing; add it");
   EXPECT_EQ(told({{"n", 1}, {"o", json::object()}}), "o: has none of x, y; give one of them");

@@ -235,6 +235,12 @@ TEST_F(MethodsQuestionnaire, SaysHowFilmsWereRatedWhileTheyPlayed) {
     EXPECT_EQ(text.find(words), std::string::npos) << words;
   expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous"),
               "the analysis did not correct for this lag.");
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous, "
+                               "continuous: {lead: 1}"),
+              "the mean of a trial leaves out the first second.");
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous, "
+                               "continuous: {lead: 0}"),
+              "the mean of a trial is of all samples.");
 }
 
 TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {

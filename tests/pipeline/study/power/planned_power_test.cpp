@@ -412,6 +412,14 @@ TEST(PlannedPower, SaysThatItIsSimulatedAndWhereATestIsNotValid) {
   }
   EXPECT_EQ(inflated, 2);
   EXPECT_EQ(valid, 2);
+  const auto notes = planned_power_notes(rows, 20, 0.05);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_NE(notes[0].find("with α = 0.05 and not corrected for multiple"), std::string::npos);
+  EXPECT_NE(notes[1].find("does not control for stimuli"), std::string::npos);
+  EXPECT_NE(notes[1].find("hence no number of participants is given"), std::string::npos);
+  options.spreads.front().spread.stimulus = 0.0;  // these particular stimuli
+  EXPECT_EQ(planned_power_notes(planned_power(manifest, options), 20, 0.05).size(), 1u);
+  options.spreads.front().spread.stimulus = 0.8;
   manifest.questionnaire->per_participant = 1;  // of eight, so that nobody sees both cells
   options.stimuli_per_cell.clear();
   const auto impossible = planned_power_lines(planned_power(manifest, options), 20, 0.8, 0.05);

@@ -73,9 +73,31 @@ TEST_F(FrozenDesign, IsTheSameBytesAndHoldsWhatItRestsOn) {
   EXPECT_EQ(
       again.at("analysis-plan.txt"),
       "two t tests\n\nAll tests are two-sided with α = 0.05; p values are corrected within each "
-      "family of comparisons (holm).\n");
+      "family of comparisons (holm).\n\nmien study report computes in any case:\n- Ratings on each "
+      "scale are analysed by a repeated-measures analysis of variance with the factors actor and "
+      "emotion within participants, as far as their levels are crossed, with p values corrected by "
+      "Greenhouse and Geisser's method.\n- All pairs of levels of the factors actor and emotion "
+      "are "
+      "compared within participants by paired t tests and Wilcoxon signed-rank tests; the pairs of "
+      "a factor on all scales form one family.\n");
   EXPECT_TRUE(holds(again.at("stimuli.csv"), "a1,videos/a1.mp4,"));
   EXPECT_TRUE(holds(again.at("dummy-report/answers.csv"), "simulated"));
+}
+
+TEST_F(FrozenDesign, SaysThatTheDummyReportIsWithoutEffects) {
+  EXPECT_TRUE(
+      holds(files().at("README.txt"),
+            "The dummy report. Its answers are simulated without any effect of the stimuli: "
+            "the true rating of every stimulus on every scale is the middle of the scale."));
+  EXPECT_EQ(dummy_assumptions(manifest_).find("intended emotion"), std::string::npos);
+  Manifest other = manifest_;
+  other.questionnaire->trials = &emotion_form;
+  EXPECT_TRUE(holds(dummy_assumptions(other), "The intended emotion is chosen in 60 %"));
+  other.questionnaire->trials = &same_different_form;
+  EXPECT_TRUE(holds(dummy_assumptions(other), "their true sensitivity is 0 (d' = 0)."));
+  EXPECT_FALSE(holds(dummy_assumptions(other), "middle of the scale"));
+  other.questionnaire->attention_every = 5;
+  EXPECT_TRUE(holds(dummy_assumptions(other), "All attention checks are passed."));
 }
 
 TEST_F(FrozenDesign, TellsWhatIsNoLongerAsItWas) {

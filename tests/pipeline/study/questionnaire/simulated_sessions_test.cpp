@@ -180,6 +180,21 @@ TEST(MeasuredTruth, OfAWalkerWhoseMoodChangesChangesWithIt) {
   EXPECT_LT(change("saddens"), -15.0);
 }
 
+/// Standing and changes of mood, of which the walks have different parts, say nothing of a mood.
+TEST(MeasuredTruth, OfAMoodIsAboutTheSameFirstAndLast) {
+  const auto file = std::filesystem::path(MIEN_SOURCE_DIR) / "manifests" / "continuous-study.yaml";
+  Manifest manifest = load_manifest(file, no_variable);
+  manifest.questionnaire->scales.ids = {"tired-excited"};
+  const AssumedTruth truth = measured_truth(manifest);
+  const auto first = [&](const char* id) { return truth.ratings.at({id, "tired-excited"}); };
+  const auto last = [&](const char* id) {
+    return truth.courses.at({id, "tired-excited"}).front().value;
+  };
+  EXPECT_NEAR(last("brightens"), first("saddens"), 6.0) << "happy";
+  EXPECT_NEAR(last("saddens"), first("brightens"), 6.0) << "sad";
+  EXPECT_GT(first("saddens") - first("brightens"), 30.0);
+}
+
 TEST(MeasuredTruth, OffersATableForScalesWithoutAModel) {
   const Manifest manifest = asked_study(2, "participants: 2, scales: [sad-happy]");
   EXPECT_NO_THROW(refuse_scales_without_model(manifest));

@@ -39,6 +39,17 @@ TEST(AnswerSet, KnowsWhatStimuliAre) {
   EXPECT_EQ(answer_set.points, 11);
 }
 
+TEST(AnswerSet, NamesMatchedSoundsInSettingsOnlyWhereSoundsDiffer) {
+  Manifest manifest = two_emotion_study(4);
+  for (Stimulus& stimulus : manifest.stimuli)
+    stimulus.sound = StimulusSound{.file = "a.wav", .of = stimulus.id};
+  EXPECT_EQ(collect_answers(manifest, answers_to(manifest)).stimuli[3].setting, "woman");
+  manifest.stimuli[2].sound->of = "sad";
+  const AnswerSet answer_set = collect_answers(manifest, answers_to(manifest));
+  EXPECT_EQ(answer_set.stimuli[2].setting, "woman, mismatched");
+  EXPECT_EQ(answer_set.stimuli[3].setting, "woman, matched");
+}
+
 TEST(AnswerSet, LeavesOutTrialsThatCouldNotBePlayedAndSaysSo) {
   const Manifest manifest = two_emotion_study(4);
   std::vector<AnswerRow> rows = answers_to(manifest);

@@ -60,6 +60,14 @@ TEST(Summaries, SayWhyThereIsNoAgreement) {
               "none: the means of all videos are equal");
   EXPECT_EQ(reliability_of_table({{0.0, 1.0, 2.0}, {1.0, 2.0, 0.0}, {2.0, 0.0, 1.1}}).remark,
             "negative: differences between videos are no larger than by chance");
+  // Raters of different levels, who agree on the course: of all coefficients, only ICC(1) is
+  // negative, and differences between videos are larger than by chance.
+  const Reliability levels =
+      reliability_of_table({{0.0, 1.0, 2.0}, {0.1, 1.1, 2.1}, {0.2, 1.2, 2.1}});
+  EXPECT_LT(levels.intraclass.one, 0.0);
+  EXPECT_GT(levels.intraclass.two, 0.0);
+  EXPECT_GT(levels.alpha, 0.0);
+  EXPECT_EQ(levels.remark, "ICC(1) is negative: participants differ in level more than videos do");
   const Reliability good =
       reliability_of_table({{0.0, 0.1, 0.2}, {1.0, 1.2, 1.0}, {2.0, 2.1, 2.3}});
   EXPECT_EQ(good.remark, "");
