@@ -21,7 +21,7 @@ import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, 
 import { namedSession, type Store } from "./store";
 import { earlyEndsOfLink, goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
-import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
+import { pageRecord, showTextPage, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
 import { endWithdrawalOffer } from "./withdrawal";
@@ -76,9 +76,9 @@ async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement):
     rememberParameters(experiment, store.name, parameters);
     record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
   }
-  if (agreed || mode !== "static") await own.keep(record, page);
+  if (agreed || mode === "served") await own.keep(record, page);
   if (agreed) return mayWithdraw(experiment, store, texts, parameters, ends);
-  if (mode === "static") store.clear?.();
+  if (mode === "served") store.clear?.();
   const destination = destinationOf(experiment.recruitment, "refused");
   showEarlyEnd(texts, [destination || store.leave ? texts.refusedHere : texts.refused],
     { parameters, destination }, store.leave);
@@ -120,7 +120,17 @@ async function fitWindow({ experiment, store, texts }: Session, display: HTMLEle
   await enlargedWindow(display, texts, neededWindow(settings.display, trials));
 }
 
-/** The timeline; what is kept already is left out. */
+/** Asks for consent. It comes before the timeline, as some stores choose the plan only once it is given. */
+async function askConsent(own: Session): Promise<void> {
+  const { experiment, texts } = own;
+  const { consent } = experiment.texts;
+  await showTextPage(root(), { title: experiment.title || texts.welcome, texts: consent, words: texts,
+    buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
+    keep: (given, page) => keepConsent(own, given, page) });
+  root().replaceChildren();  // jsPsych would put its pages below this one
+}
+
+/** The timeline after consent; what is kept already is left out. */
 function timelineOf(own: Session) {
   const { experiment, store, texts, keep } = own;
   const { session } = store;
@@ -129,13 +139,8 @@ function timelineOf(own: Session) {
   const around: TrialSurroundings = { experiment, session, texts, stock, name: store.name,
     refresh_hz: null, keep };
   const timeline: object[] = [];
-  const { consent, instructions } = experiment.texts;
+  const { instructions } = experiment.texts;
 
-  if (!kept("consent"))
-    timeline.push(textPage(own, "", { title: experiment.title || texts.welcome, texts: consent,
-      buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
-      keep: (given: GivenOnPage, page: HTMLElement) => keepConsent(own, given, page) }));
-  if (experiment.joining) return timeline;
   const { screening } = experiment;
   if (screening && !kept("screening"))
     timeline.push({ type: RunPage, run: (display: HTMLElement) =>
@@ -216,6 +221,8 @@ async function main(): Promise<void> {
   if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, parameters, ends);
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
+    if (!store.kept.has("consent")) await askConsent(own);
+    if (experiment.joining) await forever();
     const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
     const running = jsPsych.run(timelineOf(own) as never);
     root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
