@@ -19,6 +19,7 @@ import { RunPage } from "./run_page";
 import { enlargedWindow, runScreening, screeningFault } from "./screening";
 import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding, showFormerEnd } from "./session_page";
 import { namedSession, type Store } from "./store";
+import { changedScale } from "./trials/continuous";
 import { earlyEndsOfLink, goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
 import { pageRecord, showTextPage, waitNote, type GivenOnPage } from "./text_view";
@@ -130,6 +131,23 @@ async function askConsent(own: Session): Promise<void> {
   root().replaceChildren();  // jsPsych would put its pages below this one
 }
 
+/** What is said before a trial: that the question changes, that practice begins or is over. */
+function pagesBetween(own: Session, before: Trial | undefined, trial: Trial): object[] {
+  const { experiment, texts, store } = own;
+  const earlier = store.session.trials.filter(({ number }) => number < trial.number);
+  const hasMain = earlier.some(({ practice }) => !practice);
+  const isNew = trial.practice && !before?.practice;
+  const changed = changedScale(earlier, trial, experiment, texts);
+  if (changed)
+    return [textPage(own, "", { title: texts.questionChanges,
+      texts: [changed, ...(isNew ? [texts.practiceAgain] : [])] })];
+  if (isNew)
+    return [textPage(own, "", { title: texts.practice, texts: [hasMain ? texts.practiceAgain : texts.practiceBegins] })];
+  if (!trial.practice && before?.practice)
+    return [textPage(own, "", { title: experiment.title, texts: [hasMain ? texts.mainGoesOn : texts.mainBegins] })];
+  return [];
+}
+
 /** The timeline after consent; what is kept already is left out. */
 function timelineOf(own: Session) {
   const { experiment, store, texts, keep } = own;
@@ -174,10 +192,7 @@ function timelineOf(own: Session) {
   const trials = session.trials.filter(({ number }) => !kept(`trial-${number}`));
   trials.forEach((trial, index) => {
     const before = index > 0 ? trials[index - 1] : undefined;
-    if (trial.practice && !before?.practice)
-      timeline.push(textPage(own, "", { title: texts.practice, texts: [texts.practiceBegins] }));
-    if (!trial.practice && before?.practice)
-      timeline.push(textPage(own, "", { title: experiment.title, texts: [texts.mainBegins] }));
+    timeline.push(...pagesBetween(own, before, trial));
     // The window may have been moved to another screen, or zoomed.
     if (experiment.settings.display) timeline.push(calibrating);
     timeline.push({ type: TrialPage, asked: trial, shownIn: around });
