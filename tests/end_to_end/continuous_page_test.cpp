@@ -54,6 +54,9 @@ class ContinuousPage : public QuestionnairePage {
     for (const TraceRow& row : rows) {
       const std::vector<double> trace = trace_in(row);
       EXPECT_EQ(row.at("kind"), "continuous");
+      // The film, not the stage that is as wide as the window.
+      EXPECT_NEAR(std::stod(row.at("shown_height")), 0.54 * 768.0, 1.0);
+      EXPECT_NEAR(std::stod(row.at("shown_width")), 0.54 * 768.0 * 96.0 / 72.0, 1.0);
       EXPECT_EQ(trace.size(), static_cast<std::size_t>(std::ceil(10.0 * seconds - 1e-6)) + 1);
       double sum = 0.0;
       for (std::size_t k = 5; k < trace.size(); ++k) sum += trace[k];
@@ -78,7 +81,8 @@ TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
   const TraceRow row = first_row(keys);
   EXPECT_EQ(keys.at("focus"), "marker");
   EXPECT_LT(keys.at("tried").get<double>(), 49.0) << "the marker can be tried before the film";
-  EXPECT_NE(keys.at("note").get<std::string>().find("while it plays"), std::string::npos);
+  for (const char* when : {"entered", "entered_nowhere", "note"})
+    EXPECT_NE(keys.at(when).get<std::string>().find("while it plays"), std::string::npos) << when;
   EXPECT_EQ(keys.at("begins_at"), 50);
   // While the film plays, nothing asks to play it, and nothing can be gone on with.
   EXPECT_EQ(keys.at("playing"), (json{{"is_disabled", true}, {"note", ""}}));
@@ -132,6 +136,53 @@ TEST_F(ContinuousPage, IsAccessibleAndMirrored) {
   // Where one writes to the left, the first end is on the right.
   EXPECT_NEAR(looked.at("right_end").get<double>(), 10.0, 2.0);
   EXPECT_GT(looked.at("moved_left").get<double>(), looked.at("right_end").get<double>() + 5.0);
+}
+
+TEST_F(ContinuousPage, SaysThatTheQuestionChangesAndGreetsOnce) {
+  std::string text = continuous_study_text;
+  text.replace(text.find("  - {id: sad,"), 0, "  - {id: usual, weights: {normal: 1}}\n");
+  text += "  practice: [usual]\n  ending: |\n    Thank you.\n\n    Thank you for your patience.\n";
+  const fs::path with_practice = scratch->write("practised.yaml", text);
+  const fs::path page = scratch->path() / "practised";
+  must_run(mien_with({"study", "export", with_practice.string(), "--out",
+                      (scratch->path() / "out-practised").string(), "-o", page.string()}));
+  const json told =
+      output_of({(page_tests() / "continuous.mjs").string(), "two_scales", page.string()});
+  EXPECT_EQ(told.at("troubles"), json::array());
+  // Of each page after the instructions and questions, its first line, or the trial.
+  std::vector<std::string> order, poles, changes;
+  for (const json& lines : told.at("said")) {
+    order.push_back(lines.at(0));
+    if (order.back() == "The question changes") changes = lines;
+    if (order.back() == "trial 3") poles = {lines.at(1), lines.at(2)};
+  }
+  const auto first = std::ranges::find(order, "Practice");
+  ASSERT_NE(first, order.end());
+  order.erase(order.begin(), first);
+  const std::string title = order.at(2);
+  // The page was loaded again at the fourth trial, which begins with the instructions.
+  EXPECT_EQ(order,
+            (std::vector<std::string>{"Practice", "trial 1", title, "trial 2",
+                                      "The question changes", "trial 3", title, "Instructions",
+                                      "trial 4", "That was the last question", "Thank you"}));
+  ASSERT_EQ(poles.size(), 2u);
+  ASSERT_EQ(changes.size(), 4u);
+  EXPECT_NE(changes[1].find("between “" + poles[0] + "” and “" + poles[1] + "”"), std::string::npos)
+      << changes[1];
+  EXPECT_NE(changes[2].find("Some practice comes first"), std::string::npos) << changes[2];
+  const auto says = [&](const std::string& what) {
+    const std::string all = told.at("said").dump();
+    std::size_t times = 0;
+    for (std::size_t at = all.find(what); at != std::string::npos; at = all.find(what, at + 1))
+      ++times;
+    return times;
+  };
+  EXPECT_EQ(says("We begin with some practice"), 1u);
+  EXPECT_EQ(says("The main part begins now"), 1u);
+  EXPECT_EQ(says("The main part goes on now"), 1u);
+  // Of the ending, only what repeats the heading is left out.
+  EXPECT_EQ(says("Thank you for your patience."), 1u);
+  EXPECT_EQ(says("Thank you.\""), 0u);
 }
 
 TEST_F(ContinuousPage, GivesAnswersThatAReportTakes) {

@@ -55,6 +55,17 @@ class EarlyEndsPage : public QuestionnairePage {
     expect_not_in(out.at("stored"), "years");
   }
 
+  /// The completion code and the way back come first; the code for deletion is named as one, apart.
+  static void expect_apart(const json& end, const std::string& completion) {
+    const std::string said = end;
+    const std::size_t code = said.find(completion), back = said.find("Return to Prolific"),
+                      deletion = said.find("Deletion code");
+    EXPECT_LT(code, back) << said;
+    EXPECT_LT(back, deletion) << said;
+    EXPECT_NE(said.find("needed for nothing else", deletion), std::string::npos) << said;
+    EXPECT_EQ(said.find(completion, deletion), std::string::npos) << said;
+  }
+
   static void expect_withdrawn(const json& withdrawn) {
     expect_in(withdrawn.at("first"), "your answers have been deleted");
     expect_in(withdrawn.at("first"), "We wanted to know whether");
@@ -80,6 +91,7 @@ TEST_F(EarlyEndsPage, AreRememberedInTheBrowserByAnExportedPage) {
   expect_in(shared.at("end"), "please send the files to the researchers");
   expect_in(shared.at("end"), "description-answers_data.csv");
   expect_in(shared.at("end"), "CDONE");
+  expect_apart(shared.at("end"), "CDONE");
   EXPECT_EQ(shared.at("end_buttons"), (json{"Save the files again", "Return to Prolific"}));
   EXPECT_EQ(rows_in(shared.at("saved_again").get<std::string>()).at(0).at("url_PROLIFIC_PID"),
             "5f02");

@@ -23,6 +23,15 @@ TEST_F(QuestionnairePage, GoesOnAfterAReload) {
   std::vector<int> numbers = reloaded.at("seen");
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<int>(i) + 1);
   expect_complete(reloaded, "p002");
+  // Films beside each other leave space in their elements, which is no part of them.
+  int films = 0;
+  for (const auto& row : rows_in(reloaded.at("answers").get<std::string>())) {
+    if (row.at("shown_width").empty()) continue;
+    ++films;
+    EXPECT_NEAR(std::stod(row.at("shown_height")), 0.4 * 768.0, 1.0);
+    EXPECT_NEAR(std::stod(row.at("shown_width")), 0.4 * 768.0 * 96.0 / 72.0, 1.0);
+  }
+  EXPECT_GT(films, 10);
 }
 
 TEST_F(QuestionnairePage, KnowsAfterAReloadWhatWasWatchedAndLeavesOutWhatCannotBePlayed) {
@@ -378,6 +387,8 @@ TEST_P(KindsOfTrials, AreAnsweredByKeysAlone) {
       continue;
     }
     raws.insert(raw);
+    EXPECT_NEAR(std::stod(row.at("shown_width")) / std::stod(row.at("shown_height")), 96.0 / 72.0,
+                0.01);
     EXPECT_EQ(row.at("kind"), kind);
     const std::string against = row.at("against"), value = row.at("value");
     if (kind == "yes_no") {
@@ -468,6 +479,8 @@ TEST_F(QuestionnairePage, RatesTheVideosOfAGridAndSaysWhatIsMissing) {
     EXPECT_EQ(rows[i].at("item"), "sad-happy");
     EXPECT_EQ(rows[i].at("value"), std::to_string(51 + i));
     EXPECT_EQ(rows[i].at("kind"), "grid");
+    EXPECT_NEAR(std::stod(rows[i].at("shown_width")) / std::stod(rows[i].at("shown_height")),
+                96.0 / 72.0, 0.01);
   }
   std::ofstream(there / "answers.csv") << taken.at("answers").get<std::string>();
   must_run(mien_with({"study", "report", (there / "answers.csv").string(), manifest.string(), "-o",
@@ -611,7 +624,23 @@ TEST_F(QuestionnairePage, SendsPhonesAwayAndKeepsNothingOfWhoRefuses) {
   const json phone = played("refused_phone");
   EXPECT_EQ(phone.at("trials"), 0);
   EXPECT_NE(phone.at("text").get<std::string>().find("screen larger than"), std::string::npos);
-  EXPECT_EQ(played("refusal").at("kept"), 0);
+  const json refusal = played("refusal");
+  EXPECT_EQ(refusal.at("troubles"), json::array());
+  for (const char* nothing : {"looked", "listed_looked", "refused", "listed_refused"})
+    EXPECT_EQ(refusal.at(nothing), json::array()) << nothing;
+  EXPECT_NE(refusal.at("text").get<std::string>().find("no answers have been recorded"),
+            std::string::npos);
+  EXPECT_EQ(refusal.at("agreed"), (json{"session", "taken"}));
+  ASSERT_EQ(refusal.at("listed_agreed").size(), 1u);
+  EXPECT_NE(refusal.at("listed_agreed")[0].get<std::string>().find("agreed, nothing answered"),
+            std::string::npos);
+}
+
+TEST_F(QuestionnairePage, KeepsNothingOnJatosOfWhoRefuses) {
+  const json run = played("jatos_refusal");
+  EXPECT_EQ(run.at("looked"), json::object()) << "no plan is taken before consent";
+  EXPECT_EQ(run.at("refused"), json::object());
+  EXPECT_EQ(run.at("troubles"), json::array());
 }
 
 /// That C++ makes the same rows of the same records is tested beside the file.

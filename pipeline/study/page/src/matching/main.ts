@@ -131,11 +131,11 @@ class Session {
       keep: async (given: GivenOnPage, page) => {
         const agreed = given.pressed === 0;
         const responses = [{ item: "consent", value_raw: agreed ? "agreed" : "refused", rt_ms: 0 }];
-        if (agreed || mode !== "static")
+        if (agreed || mode === "served")
           await this.keep({ ...pageRecord("consent", this.store.name, { ...given, responses }),
             language: experiment.language }, page);
         if (agreed) return mayWithdraw(experiment, this.store, texts, {}, this.ends);
-        if (mode === "static") this.store.clear?.();
+        if (mode === "served") this.store.clear?.();
         show(texts.thanks, [texts.refused]);
         await new Promise(() => {});  // nothing follows
       },

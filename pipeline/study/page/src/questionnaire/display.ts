@@ -45,9 +45,19 @@ export interface ShownSize {
 
 const rounded = (value: number): number => Math.round(1000 * value) / 1000;
 
-/** The size of an element that shows a stimulus. */
-export function shownSize(display: Display | undefined, shown: Element): ShownSize {
+/** Width and height of what an element shows: a film is as large as its element allows, with space beside or above it
+    (object-fit: contain); a turned figure fills its element. */
+function sizeInside(shown: Element): [number, number] {
   const { width, height } = shown.getBoundingClientRect();
+  if (!(shown instanceof HTMLVideoElement) || !shown.videoWidth || getComputedStyle(shown).objectFit !== "contain")
+    return [width, height];
+  const scale = Math.min(width / shown.videoWidth, height / shown.videoHeight);
+  return [scale * shown.videoWidth, scale * shown.videoHeight];
+}
+
+/** The size of a stimulus on the screen that this element shows. */
+export function shownSize(display: Display | undefined, shown: Element): ShownSize {
+  const [width, height] = sizeInside(shown);
   const perMm = calibration();
   const cm = perMm === null ? null : width / perMm / 10;
   const degrees = cm === null || !display ? null

@@ -32,9 +32,10 @@ export function showExperimenterPage(
   const ends = earlyEndsOf(study);
   const save = (files: TextFile[]) => files.forEach((file, index) => setTimeout(() => download(file), 300 * index));
   const begin = () => location.replace(location.pathname);
-  const rows = sessions.map(({ kept }) => {
-    const count = Object.keys(kept.records).length;
-    const state = kept.records.ending ? "completed" : `${count} ${count === 1 ? "page" : "pages"} answered`;
+  const rows = sessions.filter(({ kept }) => kept.records.consent).map(({ kept }) => {
+    const count = Object.keys(kept.records).length - 1;
+    const state = kept.records.ending ? "completed"
+      : count ? `agreed, ${count} ${count === 1 ? "page" : "pages"} answered` : "agreed, nothing answered";
     return element("li", {}, `${kept.participant}, session ${kept.name}: ${state} `,
       button("Save the answers", () => save(filesOf(kept))));
   });

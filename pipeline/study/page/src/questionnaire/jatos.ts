@@ -81,19 +81,20 @@ export interface Tables<Own> {
   files(session: Own, records: Record<string, PageRecord>): Record<string, string>;
 }
 
-/** The result data is a table of what was given so far; a reload goes on from the study session. */
+/** The result data is a table of what was given so far; a reload goes on from the study session. Which plan it is, is
+    chosen with the first record, the consent: who does not agree takes none. */
 export async function jatosStore<Own extends { participant: string }>(
   experiment: Planned<Own>, tables: Tables<Own>): Promise<Store<Own>> {
   const jatos = await loadedJatos();
   let own = jatos.studySessionData?.mien;
+  let mustChoose = false;
   if (!own) {
     const wanted = jatos.urlQueryParameters?.participant;
-    const participant = wanted ? namedSession(experiment.sessions, wanted).participant
-                               : await leastTakenOfBatch(experiment, jatos);
+    const { participant } = wanted ? namedSession(experiment.sessions, wanted) : experiment.sessions[0]!;
     own = { participant, name: randomName(), records: {} };
+    mustChoose = !wanted;
   }
   const kept = own;
-  const session = namedSession(experiment.sessions, kept.participant);
   const send = async (does: () => Promise<unknown>, wait: (why: "saving" | "failed") => void) => {
     for (let tries = 0; ; tries += 1) {
       const slow = setTimeout(() => wait("saving"), 400);
@@ -109,24 +110,29 @@ export async function jatosStore<Own extends { participant: string }>(
     }
   };
   const store: Store<Own> = {
-    session,
+    session: namedSession(experiment.sessions, kept.participant),
     name: kept.name,
     records: kept.records,
     kept: new Set(Object.keys(kept.records)),
     async keep(record: PageRecord, wait) {
+      if (mustChoose) {
+        mustChoose = false;
+        kept.participant = await leastTakenOfBatch(experiment, jatos);
+        store.session = namedSession(experiment.sessions, kept.participant);
+      }
       kept.records[record.record] = record;
       store.kept.add(record.record);
       await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
-      await send(() => jatos.submitResultData(tables.results(session, kept.records)), wait);
+      await send(() => jatos.submitResultData(tables.results(store.session, kept.records)), wait);
     },
     async finish() {
       const files: [string, string][] = [
-        ...Object.entries(tables.files(session, kept.records)),
+        ...Object.entries(tables.files(store.session, kept.records)),
         ["records.json", JSON.stringify(kept)],
       ];
       if (jatos.uploadResultFile) {
         for (const [name, text] of files)
-          await send(() => jatos.uploadResultFile!(text, `${session.participant}-${name}`), () => {});
+          await send(() => jatos.uploadResultFile!(text, `${store.session.participant}-${name}`), () => {});
       }
     },
     async withdraw() {

@@ -19,9 +19,10 @@ import { RunPage } from "./run_page";
 import { enlargedWindow, runScreening, screeningFault } from "./screening";
 import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding, showFormerEnd } from "./session_page";
 import { namedSession, type Store } from "./store";
+import { changedScale } from "./trials/continuous";
 import { earlyEndsOfLink, goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
-import { pageRecord, waitNote, type GivenOnPage } from "./text_view";
+import { pageRecord, showTextPage, waitNote, type GivenOnPage } from "./text_view";
 import { textsOf, type Texts } from "./texts";
 import { TrialPage, type TrialSurroundings } from "./trial_page";
 import { endWithdrawalOffer } from "./withdrawal";
@@ -76,9 +77,9 @@ async function keepConsent(own: Session, given: GivenOnPage, page: HTMLElement):
     rememberParameters(experiment, store.name, parameters);
     record.url_parameters = await keptParameters(experiment, parameters, mode === "served");
   }
-  if (agreed || mode !== "static") await own.keep(record, page);
+  if (agreed || mode === "served") await own.keep(record, page);
   if (agreed) return mayWithdraw(experiment, store, texts, parameters, ends);
-  if (mode === "static") store.clear?.();
+  if (mode === "served") store.clear?.();
   const destination = destinationOf(experiment.recruitment, "refused");
   showEarlyEnd(texts, [destination || store.leave ? texts.refusedHere : texts.refused],
     { parameters, destination }, store.leave);
@@ -120,7 +121,34 @@ async function fitWindow({ experiment, store, texts }: Session, display: HTMLEle
   await enlargedWindow(display, texts, neededWindow(settings.display, trials));
 }
 
-/** The timeline; what is kept already is left out. */
+/** Asks for consent. It comes before the timeline, as some stores choose the plan only once it is given. */
+async function askConsent(own: Session): Promise<void> {
+  const { experiment, texts } = own;
+  const { consent } = experiment.texts;
+  await showTextPage(root(), { title: experiment.title || texts.welcome, texts: consent, words: texts,
+    buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
+    keep: (given, page) => keepConsent(own, given, page) });
+  root().replaceChildren();  // jsPsych would put its pages below this one
+}
+
+/** What is said before a trial: that the question changes, that practice begins or is over. */
+function pagesBetween(own: Session, before: Trial | undefined, trial: Trial): object[] {
+  const { experiment, texts, store } = own;
+  const earlier = store.session.trials.filter(({ number }) => number < trial.number);
+  const hasMain = earlier.some(({ practice }) => !practice);
+  const isNew = trial.practice && !before?.practice;
+  const changed = changedScale(earlier, trial, experiment, texts);
+  if (changed)
+    return [textPage(own, "", { title: texts.questionChanges,
+      texts: [changed, ...(isNew ? [texts.practiceAgain] : [])] })];
+  if (isNew)
+    return [textPage(own, "", { title: texts.practice, texts: [hasMain ? texts.practiceAgain : texts.practiceBegins] })];
+  if (!trial.practice && before?.practice)
+    return [textPage(own, "", { title: experiment.title, texts: [hasMain ? texts.mainGoesOn : texts.mainBegins] })];
+  return [];
+}
+
+/** The timeline after consent; what is kept already is left out. */
 function timelineOf(own: Session) {
   const { experiment, store, texts, keep } = own;
   const { session } = store;
@@ -129,13 +157,8 @@ function timelineOf(own: Session) {
   const around: TrialSurroundings = { experiment, session, texts, stock, name: store.name,
     refresh_hz: null, keep };
   const timeline: object[] = [];
-  const { consent, instructions } = experiment.texts;
+  const { instructions } = experiment.texts;
 
-  if (!kept("consent"))
-    timeline.push(textPage(own, "", { title: experiment.title || texts.welcome, texts: consent,
-      buttons: consent.length ? [texts.agree, texts.refuse] : [texts.next],
-      keep: (given: GivenOnPage, page: HTMLElement) => keepConsent(own, given, page) }));
-  if (experiment.joining) return timeline;
   const { screening } = experiment;
   if (screening && !kept("screening"))
     timeline.push({ type: RunPage, run: (display: HTMLElement) =>
@@ -169,10 +192,7 @@ function timelineOf(own: Session) {
   const trials = session.trials.filter(({ number }) => !kept(`trial-${number}`));
   trials.forEach((trial, index) => {
     const before = index > 0 ? trials[index - 1] : undefined;
-    if (trial.practice && !before?.practice)
-      timeline.push(textPage(own, "", { title: texts.practice, texts: [texts.practiceBegins] }));
-    if (!trial.practice && before?.practice)
-      timeline.push(textPage(own, "", { title: experiment.title, texts: [texts.mainBegins] }));
+    timeline.push(...pagesBetween(own, before, trial));
     // The window may have been moved to another screen, or zoomed.
     if (experiment.settings.display) timeline.push(calibrating);
     timeline.push({ type: TrialPage, asked: trial, shownIn: around });
@@ -216,6 +236,8 @@ async function main(): Promise<void> {
   if (isOwn && store.kept.has("consent")) mayWithdraw(experiment, store, texts, parameters, ends);
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
+    if (!store.kept.has("consent")) await askConsent(own);
+    if (experiment.joining) await forever();
     const jsPsych = initJsPsych({ display_element: root(), override_safe_mode: true });
     const running = jsPsych.run(timelineOf(own) as never);
     root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used

@@ -142,7 +142,8 @@ export function showEnding(
   mode: Mode, experiment: Frame, store: Pick<Store, "name" | "clear" | "leave">, texts: Texts, save: () => SavedFile[],
   { parameters, destination }: Referral = { parameters: {} }): void {
   const back = returnElements(texts, destination, parameters, mode !== "static", store.leave);
-  const code = element("p", { class: "later" }, texts.withdrawLater, " ", element("code", {}, store.name));
+  const code = element("section", { class: "later" }, element("h2", {}, texts.deletionCode),
+    element("p", {}, texts.withdrawLater), element("p", {}, element("code", {}, store.name)));
   if (mode !== "static")
     return show(texts.thanks,
       [...ownEnding(experiment, texts), back.length ? texts.finishedHere : texts.finished], ...back, code);

@@ -23,7 +23,7 @@ export interface Store<Own extends Named = Session> {
   withdraw?(): Promise<Destination | undefined>;
   /** Ends the session where another program around the page does that, and leads to the address. */
   leave?(address: string | undefined): void;
-  /** Forgets the session, where the next participant may sit down at the same browser. */
+  /** Forgets the session, where the next participant may sit down at the same browser, or nobody has agreed. */
   clear?(): void;
   /** Whether the files of the session were saved once; in folders. */
   isSaved?(): boolean;
@@ -142,28 +142,28 @@ export function keptSessions(design: string): KeptSession[] {
 export const forgetSharedSession = (design: string): void => new Drawer(sessionKey(design)).clear();
 
 /** Which plan: ?participant=p003, else a random one of those taken least in this browser. People whom their links tell
-    apart (`person`) have a session each. */
+    apart (`person`) have a session each. Nothing is kept, and no plan is taken, before the first record: the consent. */
 export function folderStore<Own extends Named>(
   experiment: Planned<Own>, wanted: string | null, person = ""): Store<Own> {
   const current = new Drawer(sessionKey(experiment.design) + (person && `/${person}`));
   const counts = new Drawer(`mien/${experiment.design}/taken`);
-  let own = current.read<Remembered>();
-  if (own && wanted && own.participant !== wanted) own = null;
-  if (!own) {
-    const taken = counts.read<Record<string, number>>() ?? {};
-    const { participant } = wanted ? namedSession(experiment.sessions, wanted)
-                                   : leastTaken(experiment.sessions, taken);
-    counts.write({ ...taken, [participant]: (taken[participant] ?? 0) + 1 });
-    own = { participant, name: randomName(), records: {} };
-    current.write(own);
-  }
-  const kept = own;
+  const taken = () => counts.read<Record<string, number>>() ?? {};
+  const former = current.read<Remembered>();
+  const own = former && wanted && former.participant !== wanted ? null : former;
+  const kept: Remembered = own ?? { name: randomName(), records: {},
+    participant: (wanted ? namedSession(experiment.sessions, wanted) : leastTaken(experiment.sessions, taken())).participant };
+  let isCounted = own !== null;
+  const count = ({ participant }: Remembered) => {
+    counts.write({ ...taken(), [participant]: (taken()[participant] ?? 0) + 1 });
+    isCounted = true;
+  };
   return {
     session: namedSession(experiment.sessions, kept.participant),
     name: kept.name,
     records: kept.records,
     kept: new Set(Object.keys(kept.records)),
     async keep(record) {
+      if (!isCounted) count(kept);
       kept.records[record.record] = record;
       this.kept.add(record.record);
       current.write(kept);
@@ -241,7 +241,6 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
   const drawer = drawerOf(experiment, base);
   const own = drawer.read<Remembered>() ??
     { participant: session.participant, name: randomName(), records: {} };
-  drawer.write(own);
   const kept = new Set(experiment.kept ?? []);
   let { destination, ended } = experiment;
   return {
@@ -263,6 +262,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     async finish() {},
     destination: () => destination,
     ended: () => ended,
+    clear: () => drawer.clear(),
     async withdraw() {
       const answer = await posted(`${base}withdrawal`, { session: own.name });
       if (!answer.ok) throw new Error(`The server refused the withdrawal (${answer.status}).`);

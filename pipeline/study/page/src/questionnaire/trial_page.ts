@@ -260,7 +260,9 @@ class TrialAtWork {
     } else if (event.key === "Enter" && !writes && !isButton && this.isOpen) {
       event.preventDefault();
       if (event.repeat) return;
-      if (isChoice || at.matches("fieldset.asked")) this.sayMissing(this.missing());
+      const own = this.asked.find(({ root }) => root.contains(at));
+      const missing = this.missing();
+      if (missing.length && (isChoice || !own || isMissing(own))) this.sayMissing(missing);
       this.focusMissing();
     }
   };

@@ -49,11 +49,17 @@ async function byKeys() {
   await page.keyboard.up("ArrowLeft");
   told.tried = Number(await page.locator(".marker").inputValue());
   // Nothing is there to go on with yet.
+  const noteOf = () => page.locator(".answers .note").textContent();
+  await page.keyboard.press("Enter");
+  told.entered = await noteOf();
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("Enter");
+  told.entered_nowhere = await noteOf();
   const goOn = page.locator(".answers .main");
   const state = async () => ({ is_disabled: await goOn.getAttribute("aria-disabled") === "true",
-    note: await page.locator(".answers .note").textContent() });
+    note: await noteOf() });
   await goOn.click({ force: true });
-  told.note = await page.locator(".answers .note").textContent();
+  told.note = await noteOf();
   await watchInput(page);
   await page.keyboard.press("Space");
   await filmAt(page, 0.1);
@@ -150,8 +156,30 @@ async function looked() {
   return told;
 }
 
+/** All that the pages between trials say, in their order, with those of the last page; reloaded at the fourth trial. */
+async function twoScales() {
+  const opened = await open(`${onDisk}?participant=p001`);
+  const said = [];
+  let reloads = 0;
+  await take(opened.page, { each: async (sight, number) => {
+    if (sight === "trial" && number === 4 && reloads === 0) {
+      reloads += 1;
+      await opened.page.reload();
+      return true;
+    }
+    if (sight === "trial") {
+      const poles = await opened.page.locator(".pole").allTextContents();
+      said.push([`trial ${number}`, ...poles]);
+    } else if (sight !== "load") {
+      said.push((await opened.page.locator(".page").innerText()).split(/\n+/));
+    }
+    return false;
+  } });
+  return withFiles(opened, { said });
+}
+
 try {
-  const scenarios = { keys: byKeys, mouse: byMouse, reloaded, looked };
+  const scenarios = { keys: byKeys, mouse: byMouse, reloaded, looked, two_scales: twoScales };
   console.log(JSON.stringify(await scenarios[name]()));
 } finally {
   await savedAll();

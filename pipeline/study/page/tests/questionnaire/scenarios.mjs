@@ -107,14 +107,45 @@ async function refusedPhone() {
   return { text, trials: await page.locator(".trial, .button").count(), troubles };
 }
 
-/** Whoever does not agree leaves nothing behind. */
+const refuse = async (page) => {
+  await page.locator(".page .button").nth(1).click();
+  await page.waitForFunction(() => !document.querySelector(".page .button:not(.leave)"));
+};
+
+/** Whoever does not agree, or only looks, leaves nothing behind and is not listed; who agreed is. */
 async function refusal() {
   const { page, troubles } = await open(onDisk);
-  await page.locator(".page .button").nth(1).click();
-  await page.waitForFunction(() => !document.querySelector(".button"));
-  const kept = await page.evaluate(() =>
-    Object.keys(localStorage).filter((key) => key.endsWith("/session")).length);
-  return { text: await page.locator("main").innerText(), kept, troubles };
+  const kept = () => page.evaluate(() => [...Object.keys(localStorage), ...Object.keys(sessionStorage), window.name]
+    .filter(Boolean));
+  const listed = async () => {
+    await page.goto(`${onDisk}?experimenter`);
+    await page.waitForSelector(".page h2");
+    const lines = await page.locator(".page li").allInnerTexts();
+    await page.goto(onDisk);
+    await page.waitForSelector(".page .buttons .main");
+    return lines;
+  };
+  await page.waitForSelector(".page .buttons .main");
+  const told = { looked: await kept(), listed_looked: await listed() };
+  await refuse(page);
+  Object.assign(told, { text: await page.locator("main").innerText(), refused: await kept(), listed_refused: await listed() });
+  await page.locator(".page .buttons .main").click();
+  await page.waitForSelector(".withdrawal");
+  const agreed = (await kept()).map((key) => key.replace(/.*[/]/, "")).sort();
+  return { ...told, agreed, listed_agreed: await listed(), troubles };
+}
+
+/** The same on JATOS. */
+async function jatosRefusal() {
+  const { address, close } = await jatosServer();
+  const { page, troubles } = await open(address);
+  await page.waitForSelector(".page .buttons .main");
+  const kept = () => page.evaluate(() => JSON.parse(sessionStorage.jatos ?? "{}"));
+  const looked = await kept();
+  await refuse(page);
+  const refused = await kept();
+  close();
+  return { looked, refused, troubles };
 }
 
 const axe = () => readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -163,15 +194,21 @@ async function accessibility(how = desktop) {
 /** As narrow as a phone, and not refused as one. */
 const narrowAccessibility = () => accessibility({ viewport: phone.viewport });
 
-/** As JATOS unpacks and shows it, with a reload on the way. */
-async function jatos() {
+/** A server that shows the study as JATOS unpacks it. */
+async function jatosServer() {
   const archive = join(folder, givenStudy());
   const files = await filesOfZip(archive);
   const described = Object.keys(files).find((path) => path.endsWith(".jas"));
   const { dirName } = JSON.parse(files[described]).data;
   files[`/${dirName}/jatos.js`] = Buffer.from(jatosScript);
   const server = await serve(files);
-  const { page, troubles } = await open(`${server.base}/${dirName}/index.html`);
+  return { address: `${server.base}/${dirName}/index.html`, close: () => server.close() };
+}
+
+/** As JATOS shows it, with a reload on the way. */
+async function jatos() {
+  const { address, close } = await jatosServer();
+  const { page, troubles } = await open(address);
   let reloads = 0;
   await take(page, { each: async (sight, number) => {
     if (sight !== "trial" || number !== 2 || reloads > 0) return false;
@@ -183,13 +220,13 @@ async function jatos() {
   await page.locator(".leave").click();
   await page.waitForFunction(() => JSON.parse(sessionStorage.jatos).ended);
   const kept = await page.evaluate(() => JSON.parse(sessionStorage.jatos));
-  const leaving = await open(`${server.base}/${dirName}/index.html`);
+  const leaving = await open(address);
   await leaving.page.locator(".page .buttons .main").click();
   await leaving.page.locator(".withdrawal > .button").click();
   await leaving.page.locator("dialog .button").nth(1).click();
   await leaving.page.waitForFunction(() => /have been deleted/.test(document.querySelector("main").innerText));
   const withdrawn = await leaving.page.evaluate(() => JSON.parse(sessionStorage.jatos));
-  server.close();
+  close();
   return { withdrawn, answers: kept.result, files: Object.keys(kept.files ?? {}).sort(), taken: kept.batch.mien_taken,
     troubles, reloads, ended_before_it_was_read: told };
 }
@@ -864,7 +901,8 @@ async function grid() {
 
 const givenStudy = () => `${JSON.parse(readFileSync(join(folder, "experiment.json"), "utf8")).study}.jzip`;
 
-const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, accessibility, narrow_accessibility: narrowAccessibility, jatos,
+const scenarios = { reload, keys, stall, refused_phone: refusedPhone, refusal, jatos_refusal: jatosRefusal,
+  accessibility, narrow_accessibility: narrowAccessibility, jatos,
   served, laboratory, prolific, pairs, calibrated, single_keys: singleKeys, stage_size: stageSize,
   thanks_again: thanksAgain, crowded, heard, languages, points, set, grid };
 if (!scenarios[name]) {

@@ -2,7 +2,9 @@
 
 import { polesOf, type Asked } from "../answers";
 import { element } from "../elements";
+import type { Experiment, Trial } from "../experiment";
 import { Marker } from "../marker";
+import type { Texts } from "../texts";
 import { meanOfTrace, TraceNotes } from "../trace";
 import type { Asking, TraceFilm, TrialKind } from "./trial_kind";
 
@@ -60,6 +62,15 @@ function traceOf(item: string, flipped: boolean, film: TraceFilm, { trial, exper
     lack: () => (film.hasEnded() ? null : "play"),
   };
   return asked;
+}
+
+/** Says which scale is rated from this trial on; "" where it is that of the trials before. */
+export function changedScale(
+  earlier: Trial[], { kind, items: [asked] }: Trial, experiment: Experiment, texts: Texts): string {
+  const former = [...earlier].reverse().find((one) => one.kind === kind)?.items[0]?.item;
+  if (kind !== "continuous" || !asked || former === undefined || former === asked.item) return "";
+  const { low, high } = experiment.items[asked.item]!;
+  return texts.scaleNow(asked.flipped ? { low: high, high: low } : { low, high });
 }
 
 export const continuous: TrialKind = {
