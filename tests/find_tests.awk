@@ -73,7 +73,7 @@ END {
       if (name[i] == test[n] || test[n] == suite[n] "." name[i]) alone = 1
       else if (index(words[n], " " name[i] " ")) whole_suite = 1
     }
-    if (whole_suite) print found[n] " " suite[n] "([.]|$)"
+    if (whole_suite) print found[n] " " suite[n] "[.]|" suite[n] "$"
     else if (alone) print found[n] " " expression "$|" expression "/"
   }
 }
