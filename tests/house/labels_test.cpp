@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -46,6 +47,37 @@ std::set<std::string> names_of_tests() {
     }
   }
   return names;
+}
+
+/// The expressions of ctest for tests that a name means (find_tests.awk), without repetitions.
+std::string expression_of(const std::string& name) {
+  const std::string command =
+      "cd '" + tests.string() + "' && find . -name '*_test.cpp' | sort | xargs awk -v names='" +
+      name + "' -f find_tests.awk | cut -d ' ' -f 3 | uniq | paste -sd '|' -";
+  std::string found;
+  FILE* pipe = popen(command.c_str(), "r");
+  for (int c = fgetc(pipe); c != EOF && c != '\n'; c = fgetc(pipe)) found += static_cast<char>(c);
+  EXPECT_EQ(pclose(pipe), 0) << name;
+  return found;
+}
+
+bool means(const std::string& name, const std::string& test) {
+  return std::regex_search(test, std::regex("(^|/)(" + expression_of(name) + ")"));
+}
+
+// Expressions of ctest have at most some thirty parentheses, and a module has hundreds of suites.
+TEST(NamedTests, AreSuitesOrTestsWithoutParentheses) {
+  EXPECT_EQ(expression_of("motion").find('('), std::string::npos);
+  for (const char* name : {"FootLock", "motion/gait", "motion"}) {
+    EXPECT_TRUE(means(name, "motion/FootLock")) << name;
+    EXPECT_TRUE(means(name, "motion/FootLock.HoldsPlantedFeetStill")) << name;
+    EXPECT_FALSE(means(name, "pipeline/FootLocker")) << name;
+  }
+  EXPECT_TRUE(means("Contract", "render/Tracer/Contract"));
+  EXPECT_TRUE(means("Contract", "render/Tracer/Contract.HoldsPerBlock/feet"));
+  EXPECT_TRUE(means("FootLock.HoldsPlantedFeetStill", "motion/FootLock.HoldsPlantedFeetStill"));
+  EXPECT_FALSE(
+      means("FootLock.HoldsPlantedFeetStill", "motion/FootLock.HoldsPlantedFeetStillMore"));
 }
 
 TEST(Labels, AreOfTestsThatThereAre) {
