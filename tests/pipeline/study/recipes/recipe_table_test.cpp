@@ -28,7 +28,7 @@ std::vector<RecipeResult> results_of(const std::string& acted, const char* role 
   return recipe_results(reading.manifest);
 }
 
-const RecipeResult& of(const std::vector<RecipeResult>& results, const std::string& emotion) {
+const RecipeResult& of(const std::vector<RecipeResult>& results, const char* emotion) {
   for (const RecipeResult& result : results) {
     if (result.emotion == emotion) return result;
   }
