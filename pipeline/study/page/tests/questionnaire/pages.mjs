@@ -43,7 +43,8 @@ export function savedTexts(page, kinds) {
     try {
       for await (const part of await download.createReadStream()) text += part;
     } catch (error) {
-      if (isOver || page.isClosed()) return;
+      // A page may be closed before it is known to be: scenarios that want the file miss it.
+      if (isOver || page.isClosed() || /has been closed/.test(error.message)) return;
       throw error;
     }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;
