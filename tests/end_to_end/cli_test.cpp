@@ -147,7 +147,7 @@ stimuli:
           "\"quickness\"?\n" +
           at + ":6:23: stimuli[1].weights.nomal: unknown example; did you mean \"normal\"?\n" + at +
           ":6:49: stimuli[1].look.camera: \"top\" is not one of the choices; use one of "
-          "front, side, three-quarter, follow, orbit\n");
+          "front, side, three-quarter, follow, orbit, or a map of keys and values\n");
   EXPECT_EQ(run_mien({"run", bad.string(), "--out", (scratch.path() / "out").string()}).code, 2);
   EXPECT_EQ(run_mien({"plan", bad.string(), "--out", (scratch.path() / "out").string()}).code, 2);
   EXPECT_FALSE(fs::exists(scratch.path() / "out"));
@@ -269,8 +269,8 @@ TEST(CommandLine, TellsAtWhichLineAFolderOrFileHoldsNothing) {
   EXPECT_EQ(
       told("./captures"),
       ":3:17: examples.set: \"./captures\" is not one of the choices; use one of "
-      "builtin:walks-10, builtin:walks-27, builtin:actors; for a folder of motion files write "
-      "{folder: ./captures}\n");
+      "builtin:walks-10, builtin:walks-27, builtin:actors, or a map of keys and values; for a "
+      "folder of motion files write {folder: ./captures}\n");
   const std::string csv = scratch.write("a.csv", "").string();
   EXPECT_EQ(told("builtin:walks-10, ratings: a.csv"), csv +
                                                           ":1:1: the table is empty; begin with a "
