@@ -182,8 +182,8 @@ std::string batch_script(const BatchJob& job, const fs::path& folder, const Stud
   }
   const int stopped = job.elements > 0 ? worker_transient : stopped_run;
   return "#!/bin/bash\n" + introduction(job, call) + options(job, call, request) +
-         paths(job, folder, call, program.string()) + job_attempts(call_text(job, call, request), stopped) +
-         ending(job, site);
+         paths(job, folder, call, program.string()) +
+         job_attempts(call_text(job, call, request), stopped) + ending(job, site);
 }
 
 }  // namespace mien::pipeline

@@ -36,8 +36,11 @@ class Journal : public testing::Test {
 
 TEST_F(Journal, TellsWhatWasWrittenIntoIt) {
   EXPECT_TRUE(journal.read().jobs.empty());
-  JournalSubmission requested{
-      "0001", "2026-11-23T00:00:00Z", "draft", 12, {"long", "1:00", "2G", "lab", 8, 3, "/shared/mien"}};
+  JournalSubmission requested{"0001",
+                              "2026-11-23T00:00:00Z",
+                              "draft",
+                              12,
+                              {"long", "1:00", "2G", "lab", 8, 3, "/shared/mien"}};
   journal.note_submission(requested, {intent("2-frames", 5), intent("3-films", 2)});
   journal.note_job("mien:abc:0001:2-frames", "17");
   journal.note_refusal("mien:abc:0001:3-films", "no \xff such partition");
