@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <regex>
 #include <set>
 #include <string>
 #include <thread>
@@ -36,9 +36,10 @@ constexpr char pack_notes[] =
     "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums beside it for "
     "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same bytes. "
     "The study is verified first, and refused if anything is missing or changed.\n\n"
-    "data/ro-crate-metadata.json describes the study as a research object (RO-Crate); for a crate "
-    "that repositories accept, state --published, --license and --organization. --bids adds "
-    "data/stimuli/, a folder for a BIDS dataset, with copies of the videos.\n\n"
+    "data/ro-crate-metadata.json describes the study as a research object (RO-Crate). RO-Crate "
+    "requires a date of publication and a licence: state --published and --license, and the author "
+    "with --organization. --bids adds data/stimuli/, a folder for a BIDS dataset, with copies of "
+    "the videos.\n\n"
     "Recordings are not packed unless --recordings is given. Those that the manifest marks with "
     "licence: {name: …, share: false} are left out even then, and so are the motion files in "
     "clips/ "
@@ -124,16 +125,17 @@ std::string left_out_note(const std::map<std::string, std::string>& paths,
       counted(recordings.left_out_files.size(), "motion file"), fmt::join(licences, ", "));
 }
 
-/// Throws Error unless a date is one of the calendar, as ISO 8601 writes it.
+/// Throws Error unless a text is a date of the calendar in the form of ISO 8601.
 void require_date(const std::string& text) {
-  int year = 0, month = 0, day = 0, read = 0;
-  const bool is_written =
-      text.size() == 10 &&
-      std::sscanf(text.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &read) == 3 && read == 10;
-  const std::chrono::year_month_day date{std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day))};
-  if (!is_written || !date.ok())
+  static const std::regex form(R"((\d{4})-(\d{2})-(\d{2}))");
+  std::smatch parts;
+  bool is_date = std::regex_match(text, parts, form);
+  if (is_date) {
+    const auto number = [&](int part) { return static_cast<unsigned>(std::stoi(parts[part])); };
+    const std::chrono::year year(static_cast<int>(number(1)));
+    is_date = (year / std::chrono::month(number(2)) / std::chrono::day(number(3))).ok();
+  }
+  if (!is_date)
     throw Error({"--published"}, motion::in_quotes(text) + " is not a date",
                 "write the year, month and day, for example 2026-11-30");
 }
@@ -145,12 +147,12 @@ void add_descriptions(const StudyContents& contents, const PackOptions& options,
                       const Console& console) {
   if (options.bids) {
     BidsStimuli stimuli = bids_stimuli(contents, payload, info.license);
-    if (stimuli.files.size() == 2)
+    if (stimuli.videos == 0)
       throw Error({contents.folder.string()}, "has no videos for a BIDS dataset",
                   "omit --bids, or make videos of the kinds mp4, webm or mkv");
     for (const std::string& path : stimuli.omitted)
-      console.err << fmt::format("{}: {}\n", motion::printable(path),
-                                 "not in stimuli/, which takes one .mp4, .webm and .mkv each");
+      console.err << motion::printable(path)
+                  << ": not copied to stimuli/, which has one .mp4, .webm and .mkv per stimulus\n";
     payload.insert(payload.end(), std::make_move_iterator(stimuli.files.begin()),
                    std::make_move_iterator(stimuli.files.end()));
     std::ranges::sort(payload, {}, &PayloadFile::path);

@@ -170,7 +170,8 @@ TEST_F(Archive, IsABagThatOthersUnpackAndCheck) {
 
 TEST_F(Archive, HasADateThatIsOne) {
   const std::string archive = (scratch.path() / "a.tar").string();
-  for (const char* date : {"2026-02-30", "30.11.2026", "2026-11", "2026-11-30 ", "2026-1-030"}) {
+  for (const char* date : {"2026-02-30", "30.11.2026", "2026-11", "2026-11-30 ", "2026-1-030",
+                           "2026- 1-03", " 026-11-30", "+026-11-30", "2026-00-10"}) {
     const Ended refused = run_mien({"pack", study.string(), "-o", archive, "--published", date});
     EXPECT_EQ(refused.code, 2) << date;
     EXPECT_TRUE(says(refused.errors, "is not a date")) << refused.errors;

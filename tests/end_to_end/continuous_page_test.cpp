@@ -40,7 +40,7 @@ class ContinuousPage : public QuestionnairePage {
             "page";
   }
 
-  static json told_by(const std::string& scenario) {
+  static json outcome_of(const std::string& scenario) {
     return output_of({(page_tests() / "continuous.mjs").string(), scenario, there.string()});
   }
 
@@ -77,7 +77,7 @@ TEST_F(ContinuousPage, InterpolatesBetweenTheRefreshesOfTheScreen) {
 }
 
 TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
-  const json keys = told_by("keys");
+  const json keys = outcome_of("keys");
   const TraceRow row = first_row(keys);
   EXPECT_EQ(keys.at("focus"), "marker");
   EXPECT_LT(keys.at("tried").get<double>(), 49.0) << "the marker can be tried before the film";
@@ -108,7 +108,7 @@ TEST_F(ContinuousPage, TakesTheTraceOfHeldKeys) {
 }
 
 TEST_F(ContinuousPage, TakesTheTraceOfAMouseByTheTimeOfTheFilm) {
-  const json mouse = told_by("mouse");
+  const json mouse = outcome_of("mouse");
   const TraceRow row = first_row(mouse);
   const std::vector<double> trace = trace_in(row);
   const double pressed = mouse.at("pointerdown");
@@ -122,7 +122,7 @@ TEST_F(ContinuousPage, TakesTheTraceOfAMouseByTheTimeOfTheFilm) {
 }
 
 TEST_F(ContinuousPage, BeginsAnewAfterAReloadAndTellsTheAttempts) {
-  const TraceRow row = first_row(told_by("reloaded"));
+  const TraceRow row = first_row(outcome_of("reloaded"));
   EXPECT_EQ(row.at("attempt"), "3");
   EXPECT_EQ(row.at("plays_before"), "2");
   EXPECT_GT(std::stod(row.at("watched_before_ms")), 500.0);
@@ -130,7 +130,7 @@ TEST_F(ContinuousPage, BeginsAnewAfterAReloadAndTellsTheAttempts) {
 }
 
 TEST_F(ContinuousPage, IsAccessibleAndMirrored) {
-  const json looked = told_by("looked");
+  const json looked = outcome_of("looked");
   for (const char* when : {"before", "during", "after"})
     EXPECT_EQ(looked.at(when), json::array()) << when;
   // Where one writes to the left, the first end is on the right.
@@ -186,7 +186,7 @@ TEST_F(ContinuousPage, SaysThatTheQuestionChangesAndGreetsOnce) {
 }
 
 TEST_F(ContinuousPage, GivesAnswersThatAReportTakes) {
-  const json mouse = told_by("mouse");
+  const json mouse = outcome_of("mouse");
   const fs::path answers = scratch->write("answers.csv", mouse.at("answers").get<std::string>());
   const fs::path report = scratch->path() / "courses-report";
   must_run(

@@ -287,6 +287,39 @@ TEST(Commands, OfAnotherProgramThatIsNotThereSayHowToGetIt) {
       << man.output;
 }
 
+// As in the archive for other systems. Where the fonts that come with the program are none, sheets
+// cannot be drawn, so that it is seen that they are used.
+TEST(InstalledFonts, AreUsedUnlessOthersAreNamed) {
+  const Scratch scratch;
+  const fs::path bin = scratch.path() / "bin", fonts = scratch.path() / "share/mien/fonts";
+  fs::create_directories(bin);
+  fs::create_directories(fonts / "none");
+  for (const auto& entry : fs::directory_iterator(fs::path(MIEN_PROGRAM).parent_path()))
+    if (entry.path().filename() == "mien" || entry.path().extension() == ".so")
+      fs::copy_file(entry.path(), bin / entry.path().filename());
+  std::ofstream(fonts / "fonts.conf") << "<fontconfig><dir prefix=\"relative\">none</dir>"
+                                         "<cachedir prefix=\"xdg\">fontconfig</cachedir>"
+                                         "</fontconfig>\n";
+  const std::string manifest = scratch
+                                   .write("tiny.yaml", R"(mien: 1
+study: tiny
+examples: {set: builtin:walks-10}
+output: {size: [48, 36], fps: 8, cycles: 1, quality: draft, frames: none, video: []}
+stimuli: [{id: a, weights: {normal: 1}}, {id: b, weights: {sad: 1}}]
+sheets: [{compare: {target: a, created: b}}]
+)")
+                                   .string();
+  const std::string run =
+      (bin / "mien").string() + " run " + manifest + " --out " + (scratch.path() / "out").string();
+  const Ended without = run_bash("unset FONTCONFIG_FILE; " + run);
+  EXPECT_NE(without.code, 0);
+  EXPECT_NE(without.output.find("no font on this machine has Japanese characters"),
+            std::string::npos)
+      << without.output;
+  const Ended named = run_bash("export FONTCONFIG_FILE=/etc/fonts/fonts.conf; " + run);
+  EXPECT_EQ(named.code, 0) << named.output;
+}
+
 TEST(Commands, OfAProgramOfAnotherVersionAreRefused) {
   const Ended ended = run_bash("MIEN_STARTED_BY=0.0.9 " MIEN_PROGRAM "-study study scales");
   EXPECT_EQ(ended.code, 1);

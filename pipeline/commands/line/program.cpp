@@ -21,6 +21,7 @@
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/printable_stream.h"
 #include "pipeline/commands/line/external_programs.h"
+#include "pipeline/commands/line/installed_fonts.h"
 #include "pipeline/tasks/interruption.h"
 
 namespace mien::pipeline {
@@ -170,6 +171,7 @@ int run_program(int argc, char** argv, const std::function<Command()>& program) 
   return_freed_images();
   std::set_terminate(end_at_once);
   keep_standard_streams_open();
+  use_installed_fonts();
   refuse_version_mismatch();
   exec_external_program(argc, argv);
   const SignalWatch signals;

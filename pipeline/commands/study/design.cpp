@@ -278,7 +278,7 @@ int design(const DesignCommand& command, const Console& console) {
   refuse_usual_spread(command, manifest);
   const std::optional<PlannedTestsResult> tests = planned_tests_of(command, manifest, console);
   if (tests) tables.back().csv = power_table(tests->rows).csv;
-  std::ostringstream power;  // told to people, and registered
+  std::ostringstream power;  // printed, and a file of the archive
   if (tests)
     print_planned_tests(*tests, command.question.wanted_power, manifest, power);
   else if (command.power)

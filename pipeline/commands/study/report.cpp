@@ -103,7 +103,7 @@ void compare_choices(const ReportCommand& options, const nlohmann::json& frozen,
     differences.emplace_back("analysis: --unfinished leave-out instead of the registered keep");
 }
 
-/// What is told of answers to a design that is not the registered one: which may be the same for
+/// The difference of answers to a design that is not the registered one, or that is the same for
 /// another number of participants.
 std::string answers_of_other_design(const Manifest& manifest, const std::string& run,
                                     const std::string& registered, int participants) {

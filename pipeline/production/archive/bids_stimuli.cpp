@@ -112,11 +112,11 @@ std::string field_of(const Row& row, const std::string& name) {
   return found == row.end() ? "" : found->second;
 }
 
-/// "walking figure (stick), three-quarter view; adjectives: quickness=0.7"
+/// "Human motion (figure stick, camera three-quarter), made from adjectives: quickness=0.7"
 std::string description_of(const Row& row) {
   if (row.empty()) return "";
   std::string text =
-      fmt::format("Human motion shown as {}, {} camera; made from {}", field_of(row, "figure"),
+      fmt::format("Human motion (figure {}, camera {}), made from {}", field_of(row, "figure"),
                   field_of(row, "camera"), field_of(row, "source"));
   if (const std::string asked = field_of(row, "requested"); !asked.empty()) text += ": " + asked;
   return text;
@@ -184,6 +184,7 @@ BidsStimuli bids_stimuli(const StudyContents& contents, const std::vector<Payloa
     const std::string stem = fmt::format("stim-{}_{}", labels.of(id), stimulus.type);
     std::string names;
     for (const auto& [extension, path] : stimulus.videos) {
+      ++made.videos;
       names += (names.empty() ? "" : ",") + stem + extension;
       const auto source = std::ranges::lower_bound(payload, path, {}, &PayloadFile::path);
       made.files.push_back({std::string(bids_folder) + "/" + stem + extension,

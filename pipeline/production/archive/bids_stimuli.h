@@ -10,7 +10,8 @@ namespace mien::pipeline {
 /// The stimuli of a BIDS dataset: files to be packed, and videos that have no place there.
 struct BidsStimuli {
   std::vector<PayloadFile> files;    ///< sorted by path
-  std::vector<std::string> omitted;  ///< paths of videos
+  int videos = 0;                    ///< number of videos among them
+  std::vector<std::string> omitted;  ///< paths of the others
 };
 
 /// Lays out a study's videos as the stimuli of a BIDS dataset, after the proposal BEP044

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -193,21 +194,28 @@ class Crate {
 
   /// Files, and a folder for each frame sequence; what the run read and what it made.
   void describe_files() {
-    std::vector<const ArtifactRecord*> sequences;
-    for (const ArtifactRecord& artifact : contents_.artifacts)
-      if (artifact.frames > 0) sequences.push_back(&artifact);
-    for (const ArtifactRecord* sequence : sequences) describe_frames(*sequence);
+    std::set<std::string> described;
     for (const PayloadFile& file : payload_) {
-      const bool is_frame = std::ranges::any_of(
-          sequences, [&](const ArtifactRecord* one) { return is_below(file.path, one->path); });
-      if (!is_frame && file.path != crate_path) describe_file(file);
+      const ArtifactRecord* sequence = sequence_of(file.path);
+      if (sequence == nullptr) {
+        if (file.path != crate_path) describe_file(file);
+      } else if (described.insert(sequence->path).second) {
+        describe_frames(*sequence);
+      }
     }
   }
 
+  /// The frame sequence in whose folder a file is; nullptr for other files.
+  const ArtifactRecord* sequence_of(const std::string& path) const {
+    for (std::size_t end = path.rfind('/'); end != std::string::npos && end > 0;
+         end = path.rfind('/', end - 1)) {
+      const ArtifactRecord* artifact = contents_.find(path.substr(0, end));
+      if (artifact != nullptr && artifact->frames > 0) return artifact;
+    }
+    return nullptr;
+  }
+
   void describe_frames(const ArtifactRecord& sequence) {
-    const bool is_packed = std::ranges::any_of(
-        payload_, [&](const PayloadFile& file) { return is_below(file.path, sequence.path); });
-    if (!is_packed) return;
     const std::string id = uri_of(sequence.path) + "/";
     entities_.push_back({{"@id", id},
                          {"@type", "Dataset"},

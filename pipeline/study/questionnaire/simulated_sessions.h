@@ -80,7 +80,7 @@ struct SimulatedParticipants {
 /// observations differ by more than 1.5. In continuous trials, an impression begins at the start of
 /// the scale when the film begins and approaches the opinion of the film, which is a rating as
 /// above (of the rest, 63 % in 1.5 s), and where the truth changes, it approaches the changed
-/// opinion likewise; the marker follows it after the reaction lag, with deviations that are
+/// opinion in the same way; the marker follows it after the reaction lag, with deviations that are
 /// correlated over time (first order, 1 s; standard deviation half of that of the residual, where
 /// the opinion is reached). Deterministic in the seed of each plan. Each row is marked as
 /// simulated.

@@ -50,7 +50,8 @@ double impression_share(double seconds) {
 
 /// The impression begins at the start of the scale and approaches the participant's opinion; the
 /// marker follows it after the reaction lag, and wanders about it. Where the opinion changes, the
-/// impression approaches the changed one likewise; being linear, it is the sum of all approaches.
+/// impression approaches the changed one in the same way; being linear, it is the sum of all
+/// approaches.
 std::string simulated_trace(const Question& question, const SimulatedView& view) {
   const double start = question.scale->starts_low ? 0.0 : 50.0;
   const double opinion = view.opinion(0);
