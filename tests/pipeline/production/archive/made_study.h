@@ -11,7 +11,7 @@
 namespace mien::test {
 
 /// A fresh copy of a finished study in a folder that is removed with the object. It has frames as
-/// PNG of film a (8 frames) and as EXR of film d, an MP4 with a fade and a blank of film b, a
+/// PNG of film a (9 frames) and as EXR of film d, an MP4 with a fade and a blank of film b, a
 /// lossless one and a WebP of film c, equalized luminance, an overlay and an input of its own.
 class MadeStudy {
  public:
