@@ -35,6 +35,12 @@ std::string method_words(motion::InterpolationMethod method, MethodsText& out) {
   return found.words + out.cite(found.sources);
 }
 
+/// Whether the given weights are those of one example alone, so that nothing is blended.
+bool is_one_example(const Stimulus& stimulus) {
+  return std::ranges::count_if(stimulus.weights,
+                               [](const auto& part) { return part.second > 0.0; }) == 1;
+}
+
 void describe_interpolation(MethodsText& out) {
   for (const char* source : {"adjectives", "features"}) {
     const auto stimuli = stimuli_from(out.manifest, source);
@@ -123,21 +129,29 @@ void describe_blends(MethodsText& out) {
     describe_deviations(out);
     describe_holds(out);
   }
-  if (const auto weighted = stimuli_from(out.manifest, "weights"); !weighted.empty()) {
-    out.say(count_of(weighted.size(), "stimulus was blended", "stimuli were blended") +
+  const auto weighted = stimuli_from(out.manifest, "weights");
+  const auto single = static_cast<std::size_t>(std::ranges::count_if(
+      weighted, [](const Stimulus* stimulus) { return is_one_example(*stimulus); }));
+  if (weighted.size() > single) {
+    out.say(count_of(weighted.size() - single, "stimulus was blended", "stimuli were blended") +
             " from examples with given weights");
   }
+  if (single > 0)
+    out.say(count_of(single, "stimulus was a single example", "stimuli were single examples"));
   if (!out.manifest.examples.blendable) return;
   Names rotations, warps;
   bool locks = false;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
     if (!is_blend(stimulus)) continue;
+    locks = locks || stimulus.interpolation.foot_lock;
+    if (is_one_example(stimulus)) continue;
     add_once(rotations, mean_of(stimulus.interpolation.rotations, out));
     add_once(warps, warp_of(stimulus.interpolation.time_warp, out));
-    locks = locks || stimulus.interpolation.foot_lock;
   }
-  out.say("Corresponding moments of the examples were aligned by " + listed(warps) +
-          ", and rotations were averaged as " + listed(rotations));
+  if (!warps.empty()) {
+    out.say("Corresponding moments of the examples were aligned by " + listed(warps) +
+            ", and rotations were averaged as " + listed(rotations));
+  }
   if (locks) {
     out.say("Planted feet were locked to the floor by inverse kinematics" +
             out.cite({"kovar2002"}));

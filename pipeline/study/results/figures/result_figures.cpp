@@ -167,11 +167,14 @@ void add_rating_figures(const Results& results, std::vector<ResultFigure>& figur
   add_histograms_of_groups(results, figures);
   std::vector<std::size_t> every(results.answer_set.stimuli.size());
   for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+  const bool has_intervals = std::ranges::any_of(
+      results.summaries, [](const RatingSummary& summary) { return !std::isnan(summary.low); });
   const ResultFigure means{.name = "means",
                            .section = "means",
                            .thesis = "40",
                            .former_name = "figure-40-means",
-                           .caption = "Mean ratings with 95 % confidence intervals."};
+                           .caption = has_intervals ? "Mean ratings with 95 % confidence intervals."
+                                                    : "Mean ratings; one answer has no interval."};
   add_grids(results, every, means, "Means of all videos", mean_grid_plot, figures);
 }
 

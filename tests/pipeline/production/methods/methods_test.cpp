@@ -60,6 +60,17 @@ TEST(Methods, TellTheNumbersOfTheStudy) {
   expect_in(methods, "For 1 compared pair, D was 0.");
 }
 
+TEST(Methods, TellBlendsFromSingleExamples) {
+  const Methods methods = methods_for(
+      "stimuli:\n"
+      "  - {id: a, weights: {sad: 1, happy: 0}}\n"
+      "  - {id: b, weights: {sad: 1, happy: 2}}\n"
+      "  - {id: c, weights: {happy: 2}}\n");
+  expect_in(methods, "One stimulus was blended from examples with given weights.");
+  expect_in(methods, "Two stimuli were single examples.");
+  expect_in(methods, "Corresponding moments of the examples were aligned");
+}
+
 TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
   const Methods methods = methods_for(
       "equalize: {luminance: {by: figure}, place: true}\n"
