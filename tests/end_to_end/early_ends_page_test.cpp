@@ -49,7 +49,7 @@ class EarlyEndsPage : public QuestionnairePage {
   /// The page of somebody who was screened out, each time the same; no answers are kept.
   static void expect_out(const json& out) {
     expect_in(out.at("first"), "you cannot take part");
-    expect_in(out.at("first"), "COUT");
+    expect_in(out.at("first"), "Your code: COUT");
     EXPECT_EQ(out.at("again"), out.at("first"));
     EXPECT_EQ(out.at("at_link"), out.at("first"));
     expect_not_in(out.at("stored"), "years");

@@ -135,6 +135,21 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   ASSERT_EQ(frozen.code, 0) << frozen.errors;
   EXPECT_NE(frozen.errors.find("the manifest has no analysis plan"), std::string::npos)
       << frozen.errors;
+  EXPECT_NE(frozen.errors.find("the archive states that the videos are of draft quality"),
+            std::string::npos)
+      << frozen.errors;
+  EXPECT_EQ(frozen.errors.find("completion codes"), std::string::npos) << frozen.errors;
+  const std::string paid =
+      folder
+          .write("paid.yaml",
+                 reported_text + std::string("  recruitment: {prolific: {completed: CPAID01}}\n"))
+          .string();
+  const Ended with_code =
+      run_mien({"study", "design", paid, "-o", (folder.path() / "paid.csv").string(), "--freeze",
+                (folder.path() / "paid.zip").string(), "--out", made});
+  EXPECT_NE(with_code.errors.find("the archive contains the manifest with its completion codes"),
+            std::string::npos)
+      << with_code.errors;
   EXPECT_TRUE(fs::is_directory(beside));
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);

@@ -352,6 +352,12 @@ TEST_F(ServedStudy, IsRefusedWhereItCannotBeServed) {
   const Ended no_url = run_program(words);
   EXPECT_EQ(no_url.code, 2);
   EXPECT_NE(no_url.errors.find("is not the address of a web server"), std::string::npos);
+  words = command(manifest);
+  words.back() = (folder.path() / "none/kept.db").string();
+  const Ended no_folder = run_program(words);
+  EXPECT_EQ(no_folder.code, 2);
+  EXPECT_NE(no_folder.errors.find("there is no folder for it"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));  // nothing was rendered
   fs::remove_all(folder.path() / "bin/pages");
   const Ended no_pages = run_program(command(manifest));
   EXPECT_EQ(no_pages.code, 2);

@@ -248,6 +248,12 @@ void warn_of_no_plan(const Manifest& manifest, const Console& console) {
                    "write it in questionnaire.analysis.plan\n";
 }
 
+/// Whether the manifest tells how to get paid without having taken part.
+bool names_codes(const Manifest& manifest) {
+  const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
+  return recruitment.prolific != SessionEndTexts{} || recruitment.redirect != SessionEndTexts{};
+}
+
 /// Input files of the tables and the archive, which must not be overwritten.
 std::vector<fs::path> files_of_design(const DesignCommand& command, const Manifest& manifest) {
   std::vector<fs::path> files = {fs::path(command.ratings), fs::path(command.planned.truth)};
@@ -298,6 +304,12 @@ int design(const DesignCommand& command, const Console& console) {
   out << power.str();
   if (archive) {
     warn_of_no_plan(manifest, console);
+    if (manifest.output.quality == Quality::draft)
+      console.err << "note: the archive states that the videos are of draft quality; set "
+                     "output.quality of the manifest to the quality that participants will see\n";
+    if (names_codes(manifest))
+      console.err << "note: the archive contains the manifest with its completion codes and "
+                     "redirects; do not publish it before data collection is over\n";
     if (!command.power)
       console.err
           << "note: the archive states no power analysis; --power, with --planned-tests for "

@@ -20,6 +20,9 @@ PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& argument
   made.manifest = production.manifest();
   made.folder = folder_of(arguments, made.manifest);
   make_study(production, made.folder, arguments, console);
+  if (made.manifest.output.quality == Quality::draft)
+    console.err << "note: the videos are of draft quality; give --quality standard or final, or "
+                   "output.quality in the manifest, before participants see them\n";
   made.plans = plan_sessions(made.manifest);
   made.media = media_of(made.manifest, made.plans, made.folder);
   VideoSeconds seconds;

@@ -221,6 +221,8 @@ int serve(const ServeOptions& options, const Console& console) {
   if (asked.matching) return serve_matching(asked, options, console);
   const fs::path pages = page_bundle("questionnaire");
   const ServedFiles files = served_files(options, asked);
+  if (!options.store.empty() && !fs::is_directory(fs::absolute(files.answers).parent_path()))
+    throw Error({options.store}, "there is no folder for it", "create the folder first");
   std::unique_ptr<SessionStore> opened = store_so_far(files.answers, asked);
   const PreparedQuestionnaire made = prepared_questionnaire(options.study, console);
   ServedStudy study = served_study(made.manifest, made.plans, made.media, pages);

@@ -85,7 +85,8 @@ int put_answers(const SimulateCommand& command, const Manifest& manifest, const 
   for (const NewTable& table : tables) write_file(table.file, table.csv);
   console.out << command.out << ": answers of " << whose << '\n';
   if (!participants.empty())
-    console.out << tables.back().file.string() << ": their answers to the questions about participants\n";
+    console.out << tables.back().file.string()
+                << ": their answers to the questions about participants\n";
   return exit_done;
 }
 

@@ -58,8 +58,9 @@ class LanguageCheck {
     for (const auto& [language, translated] : words.by_language)
       if (translated.size() != first->size())
         list_.add(member_path(path, language),
-                  fmt::format("has {} words, but there are {} in {}", translated.size(),
-                              first->size(), offered_.front()),
+                  fmt::format("has {} {}, but there {} {} in {}", translated.size(),
+                              translated.size() == 1 ? "word" : "words",
+                              first->size() == 1 ? "is" : "are", first->size(), offered_.front()),
                   "give the same words in the same order in all languages");
   }
 

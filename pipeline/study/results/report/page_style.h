@@ -44,6 +44,7 @@ th, td { padding: .16rem .7rem .16rem 0; border-bottom: 1px solid var(--line); t
   font-weight: 400; white-space: nowrap; }
 td:first-child, th:first-child, td.text, th.text { text-align: left; }
 td.text { white-space: normal; min-width: 5.5rem; overflow-wrap: break-word; }
+.wide td.text:first-child { min-width: 9rem; }
 td.prose { text-align: left; white-space: normal; min-width: 9rem; }
 thead th { color: var(--quiet); font-size: .78rem; vertical-align: bottom; white-space: normal; }
 tr.found td { font-weight: 600; }

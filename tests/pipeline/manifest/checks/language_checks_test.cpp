@@ -67,7 +67,7 @@ TEST(LanguageChecks, NameWhatIsMissingInALanguage) {
        "questionnaire.demographics[0].ask: is in one language, but the pages are in en and ja; "
        "write {en: …, ja: …}"},
       {two + "demographics: [{id: a, ask: {en: A, ja: B}, answer: {en: [l, r], ja: [左]}}]",
-       "questionnaire.demographics[0].answer.ja: has 1 words, but there are 2 in en; give the "
+       "questionnaire.demographics[0].answer.ja: has 1 word, but there are 2 in en; give the "
        "same words in the same order in all languages"},
       {two + "screening: {questions: [{id: a, ask: {en: A}, answer: number}]}",
        "questionnaire.screening.questions[0].ask: has no text in ja; add ja: …"},

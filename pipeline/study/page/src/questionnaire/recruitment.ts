@@ -163,12 +163,12 @@ export function keptForWindow(experiment: Recruited): Parameters {
 const leaveAfterSeconds = 15;
 
 /**
- * The completion code as text, and a button that leaves the page. With `leavesSoon`, the page leaves by itself
+ * The code of this end as text, and a button that leaves the page. With `leavesSoon`, the page leaves by itself
  * after a while, unless the participant chooses to stay. `leave` replaces going to the address.
  */
 export function returnElements(
   texts: Texts, destination: Destination | undefined, values: Parameters, leavesSoon: boolean,
-  leave?: (address: string | undefined) => void,
+  leave?: (address: string | undefined) => void, codeLabel = texts.code,
 ): HTMLElement[] {
   if (!destination && !leave) return [];
   const address = destination && filledAddress(destination.address, values);
@@ -181,7 +181,7 @@ export function returnElements(
   const isProlific = !!address && /^https:\/\/app\.prolific\.com\//.test(address);
   const parts: HTMLElement[] = [];
   if (destination?.code)
-    parts.push(element("p", {}, texts.completionCode, " ", element("code", { class: "completion-code" }, destination.code)));
+    parts.push(element("p", {}, codeLabel, " ", element("code", { class: "completion-code" }, destination.code)));
   const label = isProlific ? texts.backToProlific : address ? texts.goOn : texts.finish;
   const buttons = element("div", { class: "buttons" }, button(label, go, "leave"));
   if (leavesSoon) {

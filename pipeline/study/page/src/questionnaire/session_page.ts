@@ -141,7 +141,8 @@ const isTakenElsewhere = ({ recruitment }: Frame): boolean => location.protocol 
 export function showEnding(
   mode: Mode, experiment: Frame, store: Pick<Store, "name" | "clear" | "leave">, texts: Texts, save: () => SavedFile[],
   { parameters, destination }: Referral = { parameters: {} }): void {
-  const back = returnElements(texts, destination, parameters, mode !== "static", store.leave);
+  const back = returnElements(texts, destination, parameters, mode !== "static", store.leave,
+    texts.completionCode);
   const code = element("section", { class: "later" }, element("h2", {}, texts.deletionCode),
     element("p", {}, texts.withdrawLater), element("p", {}, element("code", {}, store.name)));
   if (mode !== "static")
