@@ -176,9 +176,11 @@ void refuse_usual_spread(const DesignCommand& command, const Manifest& manifest)
                   "usual difference for scales from -2 to 2 only",
                   other->id, other->least, other->most),
       fmt::format("state them in points of the scale; those of scales from -2 to 2 are, by range, "
-                  "--spread {:g},{:g},{:g} --difference {:g}",
-                  points * usual.participant, points * usual.stimulus, points * usual.residual,
-                  points * PowerOptions().difference));
+                  "--spread {:g},{:g},{:g}",
+                  points * usual.participant, points * usual.stimulus, points * usual.residual) +
+          (command.planned.truth.empty()
+               ? fmt::format(" --difference {:g}", points * PowerOptions().difference)
+               : ""));
 }
 
 /// The planned tests, simulated with the assumptions of the command.

@@ -2,7 +2,7 @@
 // given: screened out, withdrawn, refused; and what the experimenter sees of them.
 //   node early_ends.mjs static|jatos|served FOLDER|LINKS
 // prints what they read as JSON. FOLDER holds an exported questionnaire with recruitment, LINKS is {"join", "own"}.
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { filesOfZip, serve } from "../http_server.mjs";
 import { jatosScript } from "./jatos_script.mjs";
@@ -85,9 +85,7 @@ const newRun = async (page, url) => {
 /** The page's own file among the downloads. */
 async function saved(page, press) {
   const [download] = await Promise.all([page.waitForEvent("download"), press()]);
-  let bytes = "";
-  for await (const part of await download.createReadStream()) bytes += part;
-  return bytes;
+  return readFileSync(await download.path(), "utf8");
 }
 
 /** Of a folder: others at the same browser, links without names, and the experimenter's page. */

@@ -1,3 +1,5 @@
+import { readFile } from "node:fs/promises";
+
 // What is on the page of an experiment, and when another is: `trial` is what it calls its trials.
 
 /** "text", "load", "end", or the experiment's word for a trial. */
@@ -24,8 +26,7 @@ export const isPast = (page, trial, before) => page.waitForFunction(([name, old]
 const reading = new Set();
 let isOver = false;
 
-/** Until the files that pages have begun to save are read, or 10 seconds have passed: a browser that is closed
- *  before that fails where no caller can catch it. */
+/** Until the files that pages have begun to save are read, or 10 seconds have passed. */
 export async function savedAll() {
   let timer;
   const late = new Promise((done) => { timer = setTimeout(done, 10000); });
@@ -41,10 +42,11 @@ export function savedTexts(page, kinds) {
   const read = async (download) => {
     let text = "";
     try {
-      for await (const part of await download.createReadStream()) text += part;
+      // Not createReadStream, whose failure no caller can catch.
+      text = await readFile(await download.path(), "utf8");
     } catch (error) {
       // A page may be closed before it is known to be: scenarios that want the file miss it.
-      if (isOver || page.isClosed() || /has been closed/.test(error.message)) return;
+      if (isOver || page.isClosed() || /closed|canceled|ENOENT/.test(error.message)) return;
       throw error;
     }
     saved[kinds.find((kind) => download.suggestedFilename().includes(kind))] = text;

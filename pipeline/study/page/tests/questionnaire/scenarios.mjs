@@ -862,12 +862,17 @@ async function grid() {
   await films.nth(0).click();
   await seen(0);
   await say();
-  // One film stops another; only one is to be seen.
+  // One film, slowed down so that it lasts, is stopped by another; only one is to be seen.
+  const speed = (rate) => page.evaluate((now) => {
+    document.querySelectorAll(".grid-stage video")[1].playbackRate = now;
+  }, rate);
+  await speed(0.1);
   await films.nth(1).click();
   await films.nth(2).click();
   const during = await shown();
   await seen(2);
   const isStopped = !(await films.nth(1).locator(".seen-mark").textContent());
+  await speed(1);
   await say();
   const slider = page.locator(".grid-slider input");
   await slider.nth(2).focus();
