@@ -42,6 +42,7 @@ chapters = [
         ("Tables of a questionnaire", "pipeline/study/questionnaire/TABLES"),
         ("Results", "pipeline/study/results/README"),
         ("From answers to adjectives", "pipeline/study/analysis/README"),
+        ("The next films", "pipeline/study/adaptive/README"),
         ("Matching experiments", "pipeline/study/matching/README"),
         ("Live motions", "pipeline/study/live/README"),
     ]),

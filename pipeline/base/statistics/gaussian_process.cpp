@@ -222,22 +222,33 @@ GaussianProcess fit_process(const Families& families, const GroupedObservations&
                       parameters_of(most_probable(problem, prior_of(problem))));
 }
 
-ProcessPrediction predicted(const GaussianProcess& process, const Eigen::RowVectorXd& predictors) {
+double deviation_variance(const GaussianProcess& process) {
+  return std::exp(2.0 * process.parameters.log_group) + std::exp(2.0 * process.parameters.log_own);
+}
+
+JointPrediction jointly_predicted(const GaussianProcess& process, const MatrixXd& predictors) {
   const ProcessParameters& p = process.parameters;
-  const auto count = static_cast<Index>(process.observations.count());
-  VectorXd shared = VectorXd::Zero(count);
-  double variance = std::exp(2.0 * p.log_group) + std::exp(2.0 * p.log_own);
+  MatrixXd shared = MatrixXd::Zero(process.observations.count(), predictors.rows());
+  MatrixXd covariance = MatrixXd::Zero(predictors.rows(), predictors.rows());
   for (std::size_t f = 0; f < process.families.size(); ++f) {
+    const auto& columns = process.families[f];
     const double amplitude = p.log_amplitude[static_cast<Index>(f)];
     shared += family_covariance(
-        squared_distances(process.observations.predictors, predictors, process.families[f]),
-        amplitude, p.log_length);
-    variance += std::exp(2.0 * amplitude);
+        squared_distances(process.observations.predictors, predictors, columns), amplitude,
+        p.log_length);
+    covariance += family_covariance(squared_distances(predictors, predictors, columns), amplitude,
+                                    p.log_length);
   }
-  const VectorXd solved = process.inverse * shared;
-  const double of_constant = 1.0 - solved.sum();
-  return {process.constant + shared.dot(process.weights),
-          variance - shared.dot(solved) + of_constant * of_constant / process.inverse.sum()};
+  const MatrixXd solved = process.inverse * shared;
+  const VectorXd of_constant = 1.0 - solved.colwise().sum().transpose().array();
+  covariance -= shared.transpose() * solved;
+  covariance += of_constant * of_constant.transpose() / process.inverse.sum();
+  return {(shared.transpose() * process.weights).array() + process.constant, covariance};
+}
+
+ProcessPrediction predicted(const GaussianProcess& process, const Eigen::RowVectorXd& predictors) {
+  const JointPrediction joint = jointly_predicted(process, predictors);
+  return {joint.mean[0], joint.covariance(0, 0) + deviation_variance(process)};
 }
 
 }  // namespace mien::pipeline

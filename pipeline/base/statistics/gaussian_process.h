@@ -73,4 +73,18 @@ struct ProcessPrediction {
 
 ProcessPrediction predicted(const GaussianProcess& process, const Eigen::RowVectorXd& predictors);
 
+/// Joint normal distribution of the constant plus the functions, without any deviations, at several
+/// places: one row of predictors each.
+struct JointPrediction {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
+};
+
+JointPrediction jointly_predicted(const GaussianProcess& process,
+                                  const Eigen::MatrixXd& predictors);
+
+/// Variance by which the value of an observation of a new group differs from the functions, without
+/// measurement noise.
+double deviation_variance(const GaussianProcess& process);
+
 }  // namespace mien::pipeline

@@ -16,6 +16,7 @@
 
 #include "motion/text/excerpt.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/study/answer_inputs.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answers.h"
@@ -45,46 +46,6 @@ struct ReportCommand {
   std::string frozen;
   std::string studies = "out";  ///< the folder of all studies
 };
-
-/// Files and folders of the command line, sorted by kind.
-struct ReportInputs {
-  std::vector<fs::path> answers;
-  std::vector<fs::path> participants;
-  fs::path manifest;
-};
-
-/// Whether an input counts as a manifest's name: it is neither a table nor a folder.
-bool is_manifest(const fs::path& file) {
-  return file.extension() != ".csv" && !fs::is_directory(file);
-}
-
-ReportInputs inputs_of(const ReportCommand& options) {
-  ReportInputs inputs;
-  std::vector<fs::path> named;
-  for (const std::string& name : options.files) {
-    const fs::path file = name;
-    if (file.extension() == ".db")
-      throw Error(
-          {name}, "is the file of answers of a served study",
-          "save answers.csv from the experimenter's page (mien study serve), and give that");
-    if (is_manifest(file)) {
-      if (!inputs.manifest.empty())
-        throw Error({name}, "is a second manifest", "report each study separately");
-      inputs.manifest = file;
-    } else {
-      named.push_back(file);
-    }
-  }
-  AnswerFiles found = answer_files(named);
-  inputs.answers = std::move(found.answers);
-  if (options.participants.empty()) inputs.participants = std::move(found.participants);
-  for (const std::string& file : options.participants) inputs.participants.emplace_back(file);
-  if (inputs.manifest.empty())
-    throw Error("no manifest was given", "give the study's, for example study.yaml");
-  if (inputs.answers.empty())
-    throw Error("no answers were given", "give the CSV that the questionnaire wrote");
-  return inputs;
-}
 
 /// Compares the command line's choices for the analysis with the preregistered ones; those of the
 /// manifest are compared elsewhere.
@@ -233,7 +194,7 @@ void note_other_design(const Manifest& manifest, const std::vector<AnswerRow>& r
 }
 
 /// Which sessions are of the same person, if a quality rule asks for it.
-SessionPeople people_of_sessions(const ReportInputs& inputs, const Manifest& manifest) {
+SessionPeople people_of_sessions(const AnswerInputs& inputs, const Manifest& manifest) {
   const std::string& parameter = questionnaire_of(manifest).analysis.quality.repeated_by;
   if (parameter.empty()) return {};
   std::vector<CsvTable> answers, participants;
@@ -274,7 +235,7 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
 }
 
 int report(const ReportCommand& options, const Console& console) {
-  const ReportInputs inputs = inputs_of(options);
+  const AnswerInputs inputs = answer_inputs(options.files, options.participants);
   const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
   const AnswersOfFiles answers = answers_of_files(inputs.answers);
   print_warnings(answers.warnings, console);

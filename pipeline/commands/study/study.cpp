@@ -97,9 +97,10 @@ Command study_command() {
       .commands =
           {study_analyze_command(), study_design_command(), study_estimate_command(),
            study_evaluate_command(), study_export_command(), study_features_command(),
-           study_interfaces_command(), study_methods_command(), study_predict_command(),
-           study_recipes_command(), scales_command(), study_serve_command(), study_report_command(),
-           study_simulate_command(), study_targets_command(),
+           study_interfaces_command(), study_methods_command(), study_next_command(),
+           study_predict_command(), study_recipes_command(), scales_command(),
+           study_serve_command(), study_report_command(), study_simulate_command(),
+           study_targets_command(),
            version_command(
                "Show the versions of mien and its libraries, including those of the web server",
                {{"libarchive", archive_library()},

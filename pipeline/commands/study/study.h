@@ -60,6 +60,7 @@ Command study_export_command();
 Command study_features_command();
 Command study_interfaces_command();
 Command study_methods_command();
+Command study_next_command();
 Command study_predict_command();
 Command study_recipes_command();
 Command study_serve_command();

@@ -121,6 +121,34 @@ TEST(GaussianProcess, PredictsWhatNumericalIntegrationOfThePosteriorDoes) {
   EXPECT_NEAR(found.variance, second / mass - mean * mean, 1e-4);
 }
 
+// An observation changes the joint distribution by its covariances with it, whatever its value.
+TEST(GaussianProcess, IsJointlyPredictedAsWithOneObservationMore) {
+  const GroupedObservations all = observations(5, 6, 1, 3);
+  GroupedObservations known = all;
+  known.predictors.conservativeResize(5, 3);
+  known.values.conservativeResize(5);
+  known.noise_variance.conservativeResize(5);
+  known.group.pop_back();
+  const ProcessParameters p = parameters({0.9, 0.6}, 0.4, 0.3, 1.2);
+  const GaussianProcess process = process_with(two_families, known, p);
+  MatrixXd places = observations(11, 4, 1, 3).predictors;
+  places.row(0) = all.predictors.row(5);
+  const JointPrediction before = jointly_predicted(process, places);
+  EXPECT_NEAR(deviation_variance(process), 0.16 + 0.09, 1e-12);
+  for (int i = 0; i < 4; ++i) {
+    const ProcessPrediction alone = predicted(process, places.row(i));
+    EXPECT_NEAR(before.mean[i], alone.mean, 1e-12);
+    EXPECT_NEAR(before.covariance(i, i) + 0.25, alone.variance, 1e-12);
+  }
+  const VectorXd column = before.covariance.col(0);
+  const double variance = column[0] + 0.25 + all.noise_variance[5];
+  const JointPrediction after = jointly_predicted(process_with(two_families, all, p), places);
+  const VectorXd mean = before.mean + column * (all.values[5] - before.mean[0]) / variance;
+  EXPECT_LT((after.mean - mean).cwiseAbs().maxCoeff(), 1e-6);
+  const MatrixXd covariance = before.covariance - column * column.transpose() / variance;
+  EXPECT_LT((after.covariance - covariance).cwiseAbs().maxCoeff(), 1e-6);
+}
+
 TEST(GaussianProcess, LikelihoodIsTheIntegralOverTheConstant) {
   const GroupedObservations o = observations(4, 3, 2, 2);
   const ProcessParameters p = parameters({0.8}, 0.5, 0.3, 0.9);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/base/documents/table.h"
+#include "pipeline/study/adaptive/film_space.h"
+#include "pipeline/study/adaptive/next_films.h"
+
+namespace mien::pipeline {
+
+/// A choice of films, with what it was made from.
+struct FilmChoice {
+  FilmSpace space;
+  RatedStudy rated;
+  std::vector<FilmCandidate> candidates;
+  FilmAim aim;
+  NextFilms next;
+  std::vector<std::string> ids;  ///< of the chosen films
+};
+
+/// "sad 0.62, happy 0.38".
+std::string blend_text(const FilmChoice& choice, std::size_t candidate);
+
+/// The chosen films, and everything that could be made, each with what is expected of its ratings.
+std::vector<WrittenTable> film_tables(const FilmChoice& choice);
+
+}  // namespace mien::pipeline

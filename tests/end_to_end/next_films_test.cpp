@@ -1,0 +1,94 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "end_to_end/program.h"
+
+namespace mien::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char walks_text[] = R"(mien: 1
+study: walks
+seed: 7
+examples: {set: builtin:walks-10, ratings: builtin}
+stimuli:
+  - {id: usual, weights: {normal: 1}, factors: {made: as-is}}
+  - {id: sad, weights: {sad: 1}, factors: {made: as-is}}
+  - {id: happy, weights: {happy: 1}, factors: {made: mixed}}
+  - {id: proud, weights: {proud: 1}, factors: {made: mixed}}
+questionnaire:
+  participants: 6
+  scales: [sad-happy, slow-fast]
+)";
+
+/// Two rounds of ratings by simulated people.
+class NextRound : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Ended made = run_mien({"study", "simulate", first, "-o", answers});
+    ASSERT_EQ(made.code, 0) << made.errors;
+  }
+
+  Ended next(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"study", "next"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_mien(words);
+  }
+
+  const Scratch folder;
+  const std::string first = folder.write("walks.yaml", walks_text).string();
+  const std::string answers = (folder.path() / "answers.csv").string();
+  const std::string second = (folder.path() / "walks-2.yaml").string();
+  const std::string third = (folder.path() / "walks-3.yaml").string();
+};
+
+TEST_F(NextRound, FollowsFromTheAnswersOfAllRoundsBefore) {
+  const Ended chosen = next({answers, first, "-o", second, "--films", "3"});
+  ASSERT_EQ(chosen.code, 0) << chosen.errors;
+  EXPECT_EQ(chosen.output.find("simulated answers\n"), 0u) << chosen.output;
+  const std::string more = (folder.path() / "answers-2.csv").string();
+  ASSERT_EQ(run_mien({"study", "simulate", second, "-o", more}).code, 0);
+  const fs::path tables = folder.path() / "tables";
+  const Ended again = next({second, answers, more, "-o", third, "--films", "2", "--highest",
+                            "sad-happy", "--tables", tables.string()});
+  ASSERT_EQ(again.code, 0) << again.errors;
+  EXPECT_EQ(again.errors, "");
+  const std::string text = text_of(third);
+  EXPECT_NE(text.find("study: walks-3\n"), std::string::npos);
+  EXPECT_NE(text.find("stimuli: [round3-01, round3-02]"), std::string::npos) << text;
+  EXPECT_NE(text.find("{id: round2-03, weights: "), std::string::npos) << text;
+  EXPECT_EQ(run_mien({"check", third}).code, 0);
+  const std::string listed = text_of(tables / "next_films.csv");
+  EXPECT_EQ(std::count(listed.begin(), listed.end(), '\n'), 1 + 2 * 2) << listed;
+  EXPECT_NE(text_of(tables / "known_films.csv").find("normal 1,sad-happy,"), std::string::npos);
+  // Again: the same bytes, over the same file.
+  EXPECT_EQ(
+      next({second, answers, more, "-o", third, "--films", "2", "--highest", "sad-happy"}).code, 0);
+  EXPECT_EQ(text_of(third), text);
+}
+
+TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& with) {
+    const Ended ended = next(words);
+    EXPECT_EQ(ended.code, 2) << ended.output;
+    EXPECT_NE(ended.errors.find(with), std::string::npos) << ended.errors;
+    EXPECT_FALSE(fs::exists(second));
+  };
+  refused({answers, first, "-o", second, "--lowest", "sad"}, "no scale \"sad\"");
+  refused({first, "-o", second}, "no answers were given");
+  refused({answers, first, "-o", second, "--features", "niceness"}, "niceness");
+  refused({answers, first, "-o", answers}, "exists already, but holds something else");
+  const std::string planned =
+      folder
+          .write("planned.yaml", std::string(walks_text) +
+                                     "  analysis: {contrasts: [{name: made, weights: {made: "
+                                     "{mixed: 1, as-is: -1}}}]}\n")
+          .string();
+  refused({answers, planned, "-o", second}, "made");
+}
+
+}  // namespace
+}  // namespace mien::test
