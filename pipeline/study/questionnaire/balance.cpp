@@ -163,7 +163,7 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
      {"block", "", "practice, main, or a level of the blocking factor",
       [](auto& r) { return r.trial.block; }},
      {"kind", "", "kind of trial", [](auto& r) { return r.trial.kind_name(); }},
-     {"stimulus", "", "stimulus shown; of a pair, the one on the left",
+     {"stimulus", "", "stimulus shown; of a pair, the one on the left, or shown first",
       [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
      {"against", "",
       "the other stimulus of a pair, the others of a set, separated by spaces, or the reference",

@@ -21,6 +21,7 @@
 #include "pipeline/study/questionnaire/analysis_plan.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/simulated_people.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "render/video/video_kind.h"
 
@@ -307,6 +308,8 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans) {
   frozen["dummy-report/answers.csv"] = to_csv(dummy_answers(manifest, plans));
+  if (asks_about_participants(manifest))
+    frozen["dummy-report/participants.csv"] = simulated_people_csv(manifest, plans);
   frozen[hashes_path] = hashes_text(frozen);
 }
 

@@ -144,6 +144,12 @@ TEST_F(FrozenDesign, IsRefusedWhereSomebodyChangedIt) {
   EXPECT_THROW(frozen_differences(bundle_, manifest_, made_), Error);
 }
 
+TEST_F(FrozenDesign, HasSimulatedParticipantsWhereTheyAreAskedAboutThemselves) {
+  EXPECT_FALSE(files().contains("dummy-report/participants.csv"));
+  manifest_ = manifest(", demographics: [{id: hand, ask: Hand, answer: [left, right]}]");
+  EXPECT_TRUE(holds(files().at("dummy-report/participants.csv"), "hand"));
+}
+
 TEST_F(FrozenDesign, SaysWhereNoAnalysisWasPlanned) {
   Manifest without = manifest_;
   without.questionnaire->analysis.plan = {};
