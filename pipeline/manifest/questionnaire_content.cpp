@@ -154,6 +154,23 @@ std::size_t questionnaire_subject_count(const Manifest& manifest) {
                                    : questionnaire_stimuli(manifest).size();
 }
 
+int analysed_trials(const Manifest& manifest) {
+  const int own = questionnaire_of(manifest).per_participant;
+  const int all = static_cast<int>(questionnaire_subject_count(manifest));
+  return own == 0 ? all : std::min(own, all);
+}
+
+int main_trials(const Manifest& manifest) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  return analysed_trials(manifest) + asked.repeated + asked.warm_up;
+}
+
+int attention_checks(const Manifest& manifest) {
+  const int every = questionnaire_of(manifest).attention_every;
+  if (every == 0) return 0;
+  return (main_trials(manifest) - 1) / every * static_cast<int>(scales_in_turn(manifest));
+}
+
 std::vector<std::string> shown_stimuli(const Manifest& manifest) {
   const Questionnaire& asked = questionnaire_of(manifest);
   std::set<std::string> ids(asked.practice.begin(), asked.practice.end());

@@ -60,6 +60,18 @@ std::size_t stimuli_per_trial(const Questionnaire& asked);
 /// Returns the number of what trials can show, sets included.
 std::size_t questionnaire_subject_count(const Manifest& manifest);
 
+/// Returns the number of trials of a session whose answers are analysed, if it is completed; of
+/// continuous trials, those on one scale.
+int analysed_trials(const Manifest& manifest);
+
+/// Returns the number of trials of the main part, warm-up and repeated ones among them; of
+/// continuous trials, those on one scale.
+int main_trials(const Manifest& manifest);
+
+/// Returns the number of attention checks of a session, about: none comes after the last trial of
+/// the main part or, in continuous trials, of a scale.
+int attention_checks(const Manifest& manifest);
+
 /// Returns the ids of all stimuli that a questionnaire shows in trials, in practice or as
 /// reference, without duplicates, in the order of the manifest.
 std::vector<std::string> shown_stimuli(const Manifest& manifest);

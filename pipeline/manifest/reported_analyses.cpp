@@ -59,12 +59,18 @@ void add_factors(const Manifest& manifest, const std::string& were, const char* 
                  std::vector<std::string>& sentences) {
   const std::vector<std::string> factors = design_factors(manifest);
   if (factors.empty()) return;
-  if (questionnaire_of(manifest).analysis.factorial.empty() && factors.size() <= most_factors)
+  const bool is_planned = !questionnaire_of(manifest).analysis.factorial.empty();
+  if (!is_planned && factors.size() <= most_factors)
     sentences.push_back(fmt::format(
         "{} on each scale {} analysed by a repeated-measures analysis of variance with {} within "
         "participants, as far as their levels are crossed, with p values corrected by Greenhouse "
         "and Geisser's method",
         ratings, were, factors_text(factors)));
+  if (is_planned || factors.size() <= most_factors)
+    sentences.push_back(fmt::format(
+        "Participants without an analysed rating in each cell of the design {} left out of the "
+        "analysis of variance of that scale",
+        were));
   sentences.push_back(
       fmt::format("All pairs of levels of {} {} compared within participants by paired t tests and "
                   "Wilcoxon signed-rank tests; the pairs of a factor on all scales {} one family",
@@ -83,6 +89,9 @@ std::vector<std::string> reported_analyses(const Manifest& manifest, ReportTense
   if (has_ratings)
     add_factors(manifest, is_past ? "were" : "are",
                 form.is_continuous ? "The means of trials" : "Ratings", sentences);
+  sentences.push_back(fmt::format("What participants answer{0} who {1} not finish {2} included",
+                                  is_past ? "ed" : "", is_past ? "did" : "do",
+                                  is_past ? "was" : "is"));
   return sentences;
 }
 

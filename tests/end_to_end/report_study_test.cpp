@@ -154,6 +154,7 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   const std::string names = text_of(bundle);  // those of a zip stand in it as they are
   EXPECT_NE(names.find("dummy-report/report.html"), std::string::npos);
   EXPECT_NE(names.find("dummy-report/results/means.csv"), std::string::npos);
+  EXPECT_EQ(names.find("dummy-report/results/participant_flow.csv"), std::string::npos);
   const auto count_of = [](const std::string& text, const std::string& part) {
     int count = 0;
     for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++count;
@@ -171,9 +172,18 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
   EXPECT_EQ(powered.errors.find("no power analysis"), std::string::npos) << powered.errors;
 
   const Ended same = report({answers, "--frozen", bundle, "--studies", made});
-  EXPECT_NE(same.output.find("The simulated answers are to the study as registered in frozen.zip."),
+  EXPECT_NE(same.output.find("No differences from the study registered in frozen.zip. The answers "
+                             "are simulated. Sessions of 6 of the 6 registered participants, 6 of "
+                             "them analysed."),
             std::string::npos)
       << same.output << same.errors;
+  const std::string all = text_of(answers);
+  const std::string two = folder.write("two.csv", all.substr(0, all.find("\np003,") + 1)).string();
+  const Ended so_far = report({two, "--frozen", bundle, "--studies", made});
+  EXPECT_NE(so_far.output.find("Sessions of 2 of the 6 registered participants so far, 2 of them "
+                               "analysed."),
+            std::string::npos)
+      << so_far.output << so_far.errors;
   const Ended other = report({answers, "--frozen", bundle, "--studies", made, "--correction",
                               "none", "--max-failed-checks", "5"});
   EXPECT_NE(other.output.find("The study differs from the one registered"), std::string::npos)
@@ -185,6 +195,22 @@ TEST_F(ReportedStudy, IsHeldAgainstWhatWasFrozenWithItsOptions) {
                 .find("Deviation from the analysis that the manifest states: --max-failed-checks 5 "
                       "instead of 1."),
             std::string::npos);
+}
+
+TEST_F(ReportedStudy, HasADummyReportWithParticipantsWhereTheyAreAskedAboutThemselves) {
+  const std::string made = (folder.path() / "made").string();
+  const std::string asked = std::string(reported_text) +
+                            "  demographics: [{id: hand, ask: Hand, answer: [left, right]}]\n";
+  const std::string own = folder.write("asked.yaml", asked).string();
+  ASSERT_EQ(run_mien({"run", own, "--out", made}).code, 0);
+  const std::string bundle = (folder.path() / "asked.zip").string();
+  const Ended frozen = run_mien({"study", "design", own, "-o", (folder.path() / "p.csv").string(),
+                                 "--freeze", bundle, "--out", made});
+  ASSERT_EQ(frozen.code, 0) << frozen.errors;
+  const std::string names = text_of(bundle);
+  for (const char* name : {"dummy-report/participants.csv", "dummy-report/results/demographics.csv",
+                           "dummy-report/results/participant_flow.csv"})
+    EXPECT_NE(names.find(name), std::string::npos) << name;
 }
 
 TEST_F(ReportedStudy, CountsWhatWasSavedTwiceOnce) {

@@ -30,6 +30,7 @@
 #include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/questionnaire/simulated_people.h"
 #include "pipeline/study/results/report/results_report.h"
 
 namespace mien::pipeline {
@@ -50,7 +51,12 @@ void add_dummy_report(ZipFiles& files, const Manifest& manifest,
                       const std::vector<SessionPlan>& plans) {
   const ScratchFolder folder;
   const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
-  const Results results = results_of(collect_answers(manifest, rows), rows, {});
+  ParticipantTable people;
+  if (asks_about_participants(manifest))
+    people = {parse_csv(simulated_people_csv(manifest, plans), "participants.csv")};
+  ReportChoices choices;
+  choices.finished = people.finished();
+  const Results results = results_of(collect_answers(manifest, rows, choices), rows, people);
   write_results(results, rows, {}, folder.path());
   const fs::path about = folder.path() / "README.md";
   write_file(about, read_file(about) + "\n" + dummy_assumptions(manifest));

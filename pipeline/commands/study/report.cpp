@@ -22,6 +22,7 @@
 #include "pipeline/manifest/ratings/answers/answers.h"
 #include "pipeline/production/archive/zip_archive.h"
 #include "pipeline/production/run/shown_moods.h"
+#include "pipeline/production/run/video_seconds.h"
 #include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "pipeline/study/results/answer_files.h"
@@ -81,8 +82,20 @@ std::string answers_of_other_design(const Manifest& manifest, const std::string&
                     : "answers: given to design " + run + ", which is not the registered one";
 }
 
+/// "Sessions of 2 of the 24 registered participants so far, 1 of them analysed."
+std::string participants_so_far(const AnswerSet& answer_set, int registered) {
+  const std::size_t met = answer_set.attention.size();
+  const auto planned = static_cast<std::size_t>(std::max(registered, 0));
+  const std::string of =
+      met > planned ? fmt::format("{}, {} registered",
+                                  counted_noun(met, "participant", "participants"), planned)
+                    : fmt::format("{} of the {} registered participants{}", met, planned,
+                                  met < planned ? " so far" : "");
+  return fmt::format("Sessions of {}, {} of them analysed.", of, answer_set.people.size());
+}
+
 FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
-                         const std::vector<AnswerRow>& rows) {
+                         const std::vector<AnswerRow>& rows, const AnswerSet& answer_set) {
   if (options.frozen.empty()) return {};
   const fs::path made = fs::path(options.studies) / manifest.study;
   FrozenVerdict verdict;
@@ -98,9 +111,9 @@ FrozenVerdict verdict_on(const ReportCommand& options, const Manifest& manifest,
   const bool are_simulated = std::ranges::any_of(rows, &AnswerRow::simulated);
   verdict.sentence =
       verdict.differences.empty()
-          ? (are_simulated ? "The simulated answers are to the study as registered in "
-                           : "The study was run as registered in ") +
-                frozen + "."
+          ? fmt::format("No differences from the study registered in {}. {}{}", frozen,
+                        are_simulated ? "The answers are simulated. " : "",
+                        participants_so_far(answer_set, design.value("participants", 0)))
           : fmt::format("The study differs from the one registered in {}:", frozen);
   return verdict;
 }
@@ -211,15 +224,15 @@ std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
   return planned;
 }
 
-/// The moods of stimuli of continuous trials whose mood changes; their walks are synthesized.
-std::map<std::string, std::vector<ShownMood>> moods_of(const Manifest& manifest) {
-  std::map<std::string, std::vector<ShownMood>> moods;
-  if (!questionnaire_of(manifest).trials->is_continuous) return moods;
+/// Of continuous trials, the durations of the films and the moods of stimuli whose mood changes;
+/// their motions are synthesized.
+void add_films(const Manifest& manifest, ReportChoices& choices) {
+  if (!questionnaire_of(manifest).trials->is_continuous) return;
   Motions motions(manifest);
+  choices.film_seconds = video_seconds(manifest, motions);
   for (const std::string& id : shown_stimuli(manifest))
     if (const Stimulus* stimulus = motions.stimulus(id); stimulus != nullptr && stimulus->walk)
-      moods[id] = shown_moods(motions, *stimulus);
-  return moods;
+      choices.moods[id] = shown_moods(motions, *stimulus);
 }
 
 ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
@@ -230,7 +243,7 @@ ReportChoices choices_of(const ReportCommand& options, const Manifest& manifest,
   choices.planned = planned_trials(manifest);
   choices.finished = people.finished();
   choices.without_unfinished = options.unfinished == leave_out;
-  choices.moods = moods_of(manifest);
+  add_films(manifest, choices);
   return choices;
 }
 
@@ -248,7 +261,7 @@ int report(const ReportCommand& options, const Console& console) {
   AnswerSet answer_set = collect_answers(manifest, rows, choices);
   answer_set.notes.insert(answer_set.notes.begin(), answers.notes.begin(), answers.notes.end());
   note_other_design(manifest, rows, answer_set);
-  const FrozenVerdict frozen = verdict_on(options, manifest, rows);
+  const FrozenVerdict frozen = verdict_on(options, manifest, rows, answer_set);
   const Results results = results_of(std::move(answer_set), rows, std::move(people));
   const fs::path folder =
       options.out.empty() ? fs::path("out") / (manifest.study + "-results") : fs::path(options.out);

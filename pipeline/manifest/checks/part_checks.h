@@ -112,11 +112,7 @@ std::vector<Fault> check_quality(const Manifest& manifest);
 /// The manifest must have a questionnaire and no faults.
 std::vector<Fault> quality_warnings(const Manifest& manifest);
 
-/// The number of trials of a session whose answers are analysed, if it is completed; of continuous
-/// trials, those on one scale. The manifest must have a questionnaire.
-int analysed_trials(const Manifest& manifest);
-
-/// The number of stimuli or pairs that are judged in these trials; in grid trials, that of the
+/// The number of stimuli or pairs that are judged in analysed trials; in grid trials, that of the
 /// largest sets.
 int rated_stimuli_of_session(const Manifest& manifest);
 

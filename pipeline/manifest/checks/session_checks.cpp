@@ -22,14 +22,6 @@ bool is_played_by_browsers(render::VideoKind kind) {
   return kind == VideoKind::mp4 || kind == VideoKind::webm || kind == VideoKind::webm_av1;
 }
 
-/// How many trials the main part of a session has, on all scales, warm-up and repeated ones among
-/// them.
-int main_trials(const Manifest& manifest) {
-  const Questionnaire& asked = *manifest.questionnaire;
-  const int own = analysed_trials(manifest) + asked.repeated + asked.warm_up;
-  return own * static_cast<int>(scales_in_turn(manifest));
-}
-
 std::vector<Fault> attention_warnings(const Manifest& manifest) {
   const Questionnaire& asked = *manifest.questionnaire;
   if (asked.attention_every == 0) {
@@ -39,8 +31,8 @@ std::vector<Fault> attention_warnings(const Manifest& manifest) {
                "omit attention, or give the number of trials between two checks, such as 10");
     return none.take();
   }
-  const int trials = main_trials(manifest);
-  const int checks = (trials - 1) / asked.attention_every;  // none comes after the last trial
+  const int trials = main_trials(manifest) * static_cast<int>(scales_in_turn(manifest));
+  const int checks = attention_checks(manifest);
   const int failed = asked.analysis.max_failed_checks;
   if (checks > failed) return {};
   FaultList list(manifest.places);
@@ -153,12 +145,6 @@ std::vector<Fault> post_screening_warnings(const Manifest& manifest) {
 }
 
 }  // namespace
-
-int analysed_trials(const Manifest& manifest) {
-  const int own = manifest.questionnaire->per_participant;
-  const int all = static_cast<int>(questionnaire_subject_count(manifest));
-  return own == 0 ? all : std::min(own, all);
-}
 
 int rated_stimuli_of_session(const Manifest& manifest) {
   if (!manifest.questionnaire->trials->is_grid) return analysed_trials(manifest);

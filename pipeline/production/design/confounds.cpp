@@ -106,32 +106,59 @@ PropertyRelation relation_of_numbers(const std::vector<LevelProperty>& levels) {
   return is_constant && has_several ? PropertyRelation::follows : PropertyRelation::varies;
 }
 
+using TextsByLevel = std::vector<std::vector<std::string>>;
+
+void set_texts(const TextsByLevel& texts, FactorProperty& found) {
+  std::vector<std::size_t> distinct;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    found.levels[i].text = level_of_texts(texts[i]).text;
+    distinct.push_back(std::set<std::string>(texts[i].begin(), texts[i].end()).size());
+  }
+  found.relation = relation_of_texts(found.levels, distinct);
+}
+
+/// Sounds that differ within levels may still be there at some levels only.
+void set_sounds(TextsByLevel texts, FactorProperty& found) {
+  set_texts(texts, found);
+  if (found.relation != PropertyRelation::varies) return;
+  for (std::vector<std::string>& of_level : texts)
+    for (std::string& text : of_level)
+      if (text != without_sound) text = "with";
+  FactorProperty presence = found;
+  set_texts(texts, presence);
+  if (presence.relation == PropertyRelation::follows) found = presence;
+}
+
 /// None if the property is unknown for any of the stimuli.
 std::optional<FactorProperty> relation_of(const std::string& factor, const StimuliByLevel& levels,
                                           std::size_t which,
                                           const std::vector<PropertyValues>& values) {
-  FactorProperty found{.factor = factor, .property = &stimulus_properties[which]};
+  FactorProperty found{.factor = factor, .property = &stimulus_properties[which], .explained = nan};
   std::vector<std::vector<double>> numbers;
-  std::vector<std::size_t> distinct;
+  TextsByLevel texts;
   for (const auto& [level, stimuli] : levels) {
-    std::vector<std::string> texts;
+    std::vector<std::string>& own_texts = texts.emplace_back();
     std::vector<double>& of_level = numbers.emplace_back();
     for (const std::size_t i : stimuli) {
-      texts.push_back(values[i][which].text);
+      own_texts.push_back(values[i][which].text);
       of_level.push_back(values[i][which].number);
     }
     if (found.property->is_number &&
         !std::ranges::all_of(of_level, [](double number) { return std::isfinite(number); }))
       return std::nullopt;
     LevelProperty& one = found.levels.emplace_back(
-        found.property->is_number ? level_of_numbers(of_level) : level_of_texts(texts));
+        found.property->is_number ? level_of_numbers(of_level) : level_of_texts(own_texts));
     one.level = level;
     one.stimuli = static_cast<int>(stimuli.size());
-    distinct.push_back(std::set<std::string>(texts.begin(), texts.end()).size());
   }
-  found.explained = found.property->is_number ? explained_share(numbers) : nan;
-  found.relation = found.property->is_number ? relation_of_numbers(found.levels)
-                                             : relation_of_texts(found.levels, distinct);
+  if (found.property->is_number) {
+    found.explained = explained_share(numbers);
+    found.relation = relation_of_numbers(found.levels);
+  } else if (found.property->id == std::string_view("sound")) {
+    set_sounds(texts, found);
+  } else {
+    set_texts(texts, found);
+  }
   return found;
 }
 

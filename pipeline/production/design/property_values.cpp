@@ -1,5 +1,6 @@
 #include "pipeline/production/design/property_values.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -49,8 +50,24 @@ double speed_of(const motion::Clip& clip) {
   return std::hypot(way.x(), way.z()) / clip.duration_seconds();
 }
 
+/// The name of the sound file, with that of its folder if another file has the same name, and the
+/// time at which it begins.
+std::string sound_text(const Manifest& manifest, const Stimulus& stimulus) {
+  if (!stimulus.sound) return without_sound;
+  const fs::path& file = stimulus.sound->file;
+  const bool has_namesake = std::ranges::any_of(manifest.stimuli, [&](const Stimulus& other) {
+    return other.sound && other.sound->file != file &&
+           other.sound->file.filename() == file.filename();
+  });
+  std::string text = file.filename().string();
+  if (has_namesake) text = file.parent_path().filename().string() + "/" + text;
+  const double offset = stimulus.sound->offset;
+  return offset == 0.0 ? text : fmt::format("{} from {:g} s", text, offset);
+}
+
 /// All properties of the look and the motion.
-PropertyValues stated_properties(const Stimulus& stimulus, Motions& motions) {
+PropertyValues stated_properties(const Manifest& manifest, const Stimulus& stimulus,
+                                 Motions& motions) {
   const auto [width, height] = stimulus.output.shown_size();
   PropertyValues values;
   at(values, "figure").text = scenes::kind_of(stimulus.look.figure).name;
@@ -60,7 +77,7 @@ PropertyValues stated_properties(const Stimulus& stimulus, Motions& motions) {
   at(values, "camera").text = camera(stimulus.look);
   at(values, "picture_size").text = fmt::format("{} × {}", width, height);
   at(values, "frame_rate").text = shortest(stimulus.output.fps);
-  at(values, "sound").text = stimulus.sound ? "with" : "without";
+  at(values, "sound").text = sound_text(manifest, stimulus);
   at(values, "in_place").text = stimulus.output.in_place ? "yes" : "no";
   at(values, "speed").number = speed_of(motions.of(stimulus.id).motion.clip);
   return values;
@@ -84,7 +101,7 @@ std::vector<PropertyValues> of_all(const Manifest& manifest, const Find& find) {
 
 std::vector<PropertyValues> planned_properties(const Manifest& manifest, Motions& motions) {
   return of_all(manifest, [&](const Stimulus& stimulus) {
-    PropertyValues values = stated_properties(stimulus, motions);
+    PropertyValues values = stated_properties(manifest, stimulus, motions);
     const scenes::Shot shot = shot_of(stimulus, motions, manifest.seed);
     if (!manifest.equalize.duration)
       set_duration(values, stimulus, shot.frame_count() / stimulus.output.fps);
@@ -97,7 +114,7 @@ std::vector<PropertyValues> planned_properties(const Manifest& manifest, Motions
 std::vector<PropertyValues> filmed_properties(const Manifest& manifest, Motions& motions,
                                               const fs::path& folder) {
   return of_all(manifest, [&](const Stimulus& stimulus) {
-    PropertyValues values = stated_properties(stimulus, motions);
+    PropertyValues values = stated_properties(manifest, stimulus, motions);
     const FilmRecord film = parse_film_record(read_file(folder / film_record_path(stimulus.id)));
     set_duration(values, stimulus, film.film_frames / stimulus.output.fps);
     at(values, "figure_height").number = film.figure_px;

@@ -18,6 +18,9 @@ struct PropertyValue {
   double number = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// The property `sound` of a stimulus that has none; of others it is the name of the file.
+inline constexpr char without_sound[] = "without";
+
 /// The properties of one stimulus, in the order of stimulus_properties.
 using PropertyValues = std::array<PropertyValue, std::size(stimulus_properties)>;
 

@@ -274,10 +274,11 @@ void describe_display(MethodsText& out) {
   }
 }
 
-std::string order_text(const Questionnaire& asked) {
+std::string order_text(const Questionnaire& asked, std::size_t scales) {
   switch (asked.order.kind) {
     case TrialOrder::Kind::fixed:
-      return "Trials had the same order for all participants";
+      return scales > 1 ? "Scales and trials had the same order for all participants"
+                        : "Trials had the same order for all participants";
     case TrialOrder::Kind::latin:
       return "The order of trials followed a Williams square";
     case TrialOrder::Kind::blocked:
@@ -286,7 +287,32 @@ std::string order_text(const Questionnaire& asked) {
     case TrialOrder::Kind::full:
       break;
   }
-  return "Trials were in random order for each participant";
+  return scales > 1 ? "Trials were in random order for each participant and scale"
+                    : "Trials were in random order for each participant";
+}
+
+/// Trials that are not analysed: on each of several scales in turn, those of one scale.
+void describe_further_trials(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  Names further;
+  const auto add = [&](std::size_t count, const std::string& what, const std::string& several) {
+    if (count > 0) further.push_back(count_of(count, what, several));
+  };
+  add(asked.trials == &grid_form ? practice_grid_sets(out.manifest).size()
+                                 : asked.practice.size() / stimuli_per_trial(asked),
+      "practice trial", "practice trials");
+  add(static_cast<std::size_t>(asked.warm_up), "warm-up trial", "warm-up trials");
+  add(static_cast<std::size_t>(asked.repeated), "repeated trial (test–retest)",
+      "repeated trials (test–retest)");
+  if (further.empty()) return;
+  const bool is_one = further.size() == 1 && further.front().starts_with("1 ");
+  const char* were = is_one ? "was" : "were";
+  const std::size_t scales = scales_in_turn(out.manifest);
+  const std::string opening =
+      scales > 1 ? fmt::format("With each of the {} scales there {} in addition", scales, were)
+                 : fmt::format("In addition there {}", were);
+  out.say(fmt::format("{} {}, which {} not analysed with the others", opening, listed(further),
+                      were));
 }
 
 void describe_order(MethodsText& out) {
@@ -304,29 +330,18 @@ void describe_order(MethodsText& out) {
           : all == 1 ? fmt::format("Each participant saw the one {}", one)
           : all == 2 ? fmt::format("Each participant saw both {}", many)
                      : fmt::format("Each participant saw all {} {}", all, many));
-  std::string order = order_text(asked);
+  const std::size_t scales = scales_in_turn(out.manifest);
+  std::string order = order_text(asked, scales);
   if (!asked.no_repeats.empty())
     order += fmt::format("; successive trials differed in {}", listed(asked.no_repeats));
   out.say(order);
-  Names further;
-  const auto add = [&](int count, const std::string& what, const std::string& several) {
-    if (count > 0) further.push_back(count_of(static_cast<std::size_t>(count), what, several));
-  };
-  add(static_cast<int>(asked.trials == &grid_form ? practice_grid_sets(out.manifest).size()
-                                                  : asked.practice.size()),
-      "practice trial", "practice trials");
-  add(asked.warm_up, "warm-up trial", "warm-up trials");
-  add(asked.repeated, "repeated trial (test–retest)", "repeated trials (test–retest)");
-  if (!further.empty()) {
-    const bool is_one = further.size() == 1 && further.front().starts_with("1 ");
-    out.say(fmt::format("In addition there {} {}, {} not analysed with the others",
-                        is_one ? "was" : "were", listed(further),
-                        is_one ? "which was" : "which were"));
-  }
+  if (scales > 1 && asked.order.kind != TrialOrder::Kind::fixed)
+    out.say(
+        "The order of the scales rotated between participants: over as many participants as there "
+        "are scales, each scale was once in each place");
+  describe_further_trials(out);
   if (asked.attention_every > 0) {
-    const int trials = (static_cast<int>(own) + asked.warm_up + asked.repeated) *
-                       static_cast<int>(scales_in_turn(out.manifest));
-    const int checks = (trials - 1) / asked.attention_every;
+    const int checks = attention_checks(out.manifest);
     out.say(fmt::format("About every {}, an attention check asked for a certain answer{}",
                         asked.attention_every == 1
                             ? std::string("trial")

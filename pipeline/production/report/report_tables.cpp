@@ -92,7 +92,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
 
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                              NameLanguage language) {
-  if (made.weights.size() == 0) return "";
+  if (made.weights.size() == 0 || (made.requested.empty() && made.held.empty())) return "";
   std::string rows;
   int count = 0;
   for (const auto& [id, value] : rated_values(made, motions.repertoire())) {
@@ -103,10 +103,7 @@ std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Mo
   }
   if (rows.empty()) return rows;
   return fmt::format("<details><summary>{} {}</summary>\n{}</details>\n", count,
-                     made.requested.empty() && made.held.empty()
-                         ? (count == 1 ? "parameter without a requested value"
-                                       : "parameters without requested values")
-                         : (count == 1 ? "other parameter" : "other parameters"),
+                     count == 1 ? "other parameter" : "other parameters",
                      html_table({"parameter", "", ">value"}, rows));
 }
 

@@ -19,7 +19,7 @@ std::string parameter_table(const Stimulus& stimulus, const Synthesis& made, Mot
                             NameLanguage language);
 
 /// The stimulus's values on all rated parameters that are neither requested nor held, collapsed;
-/// empty without ratings.
+/// empty without ratings, and where none is requested or held.
 std::string other_parameters(const Stimulus& stimulus, const Synthesis& made, Motions& motions,
                              NameLanguage language);
 

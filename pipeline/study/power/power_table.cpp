@@ -60,11 +60,12 @@ bool is_same_test(const Row& one, const Row& other) {
          std::tie(other.is_contrast, other.name, other.scale, other.by, other.stimuli_per_cell);
 }
 
-/// "76.7 ± 2.4 (false positives 54.7)"
+/// "76.7 [71.9, 81.0] (false positives 54.7)"
 std::string power_text(const Row& row) {
   if (row.studies == 0) return "not possible, because too few participants rate every cell";
-  return fmt::format("{:.1f} ± {:.1f} (false positives {:.1f})", 100.0 * row.power.share,
-                     100.0 * row.power_error, 100.0 * row.false_positives.share);
+  return fmt::format("{:.1f} [{:.1f}, {:.1f}] (false positives {:.1f})", 100.0 * row.power.share,
+                     100.0 * row.power.low, 100.0 * row.power.high,
+                     100.0 * row.false_positives.share);
 }
 
 /// More than α by more than the error of the simulation.
@@ -124,10 +125,11 @@ std::vector<std::string> planned_power_lines(const std::vector<Row>& rows, int p
 
 std::vector<std::string> planned_power_notes(const std::vector<Row>& rows, int participants,
                                              double alpha) {
-  std::vector<std::string> notes = {fmt::format(
+  std::vector<std::string> notes = {"In brackets: 95 % interval of the simulation (Wilson)."};
+  notes.push_back(fmt::format(
       "False positives: percent of simulated studies without any effect in which the test is "
       "significant by itself, with α = {:g} and not corrected for multiple comparisons.",
-      alpha)};
+      alpha));
   const auto any_by = [&](TestedBy by) {
     return std::ranges::any_of(rows, [&](const Row& row) {
       return row.participants == participants && row.by == by && has_false_positives(row, alpha);

@@ -83,9 +83,16 @@ CountRange range_over(const auto& counts, std::size_t possible) {
   return range;
 }
 
-std::string range_text(CountRange range, const char* unit) {
-  return range.is_uniform() ? fmt::format("{} {}", range.least, unit)
-                            : fmt::format("{} to {} {}", range.least, range.most, unit);
+/// "3 participants", "1 participant", "2 to 3 participants"
+std::string range_text(CountRange range, const std::string& unit) {
+  if (!range.is_uniform()) return fmt::format("{} to {} {}s", range.least, range.most, unit);
+  return fmt::format("{} {}{}", range.least, unit, range.least == 1 ? "" : "s");
+}
+
+/// "0 times", "once", "twice", "3 times", "2 to 3 times"
+std::string times_text(CountRange range) {
+  const bool is_word = range.is_uniform() && (range.least == 1 || range.least == 2);
+  return is_word ? (range.least == 1 ? "once" : "twice") : range_text(range, "time");
 }
 
 std::string counted_trials(const std::map<std::string, int>& counts) {
@@ -156,7 +163,7 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
      {"block", "", "practice, main, or a level of the blocking factor",
       [](auto& r) { return r.trial.block; }},
      {"kind", "", "kind of trial", [](auto& r) { return r.trial.kind_name(); }},
-     {"stimulus", "", "stimulus shown; of a pair, the one on the left",
+     {"stimulus", "", "stimulus shown; of a pair, the one on the left, or shown first",
       [](auto& r) { return r.trial.stimuli.empty() ? "" : r.trial.stimuli[0]; }},
      {"against", "",
       "the other stimulus of a pair, the others of a set, separated by spaces, or the reference",
@@ -239,33 +246,35 @@ CountRange same_range(const Balance& balance) {
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants) {
   const TrialForm& form = *questionnaire_of(manifest).trials;
+  const bool is_in_turn =
+      pair_presentation(questionnaire_of(manifest)) == PairPresentation::in_turn;
   std::vector<std::string> sentences = {
       fmt::format("Each {} is shown to {} of {}.", form.judged,
-                  range_text(participant_range(balance), "participants"), participants),
+                  range_text(participant_range(balance), "participant"), participants),
       fmt::format("Each {} appears {} in each position.", form.judged,
-                  range_text(position_range(balance), "times")),
+                  times_text(position_range(balance))),
       fmt::format("Each {} directly follows every other one {}.", form.judged,
-                  range_text(succession_range(balance), "times")),
+                  times_text(succession_range(balance))),
       fmt::format("Any two {} are both shown in {}.",
                   form.has_places()  ? "sets"
                   : form.stimuli > 1 ? "pairs"
                                      : "stimuli",
-                  range_text(concurrence_range(balance), "sessions"))};
+                  range_text(concurrence_range(balance), "session"))};
   if (!balance.flipped.empty())
     sentences.push_back(fmt::format("The high end of each scale is on the left for {}.",
-                                    range_text(flipped_range(balance), "participants")));
+                                    range_text(flipped_range(balance), "participant")));
   if (form.has_places())
     sentences.push_back(fmt::format("Each stimulus is shown {} in each place of a set.",
-                                    range_text(place_range(balance), "times")));
+                                    times_text(place_range(balance))));
   else if (form.stimuli > 1)
     sentences.push_back(fmt::format("The first stimulus of each pair is {} {}.",
-                                    form.is_in_turn ? "shown first" : "on the left",
-                                    range_text(left_range(balance), "times")));
+                                    is_in_turn ? "shown first" : "on the left",
+                                    times_text(left_range(balance))));
   if (!balance.same.empty())
     sentences.push_back(fmt::format(
         "The pairs above have two different stimuli; the same stimulus is shown twice in {}, each "
         "stimulus in {}.",
-        counted_trials(balance.same), range_text(same_range(balance), "trials")));
+        counted_trials(balance.same), range_text(same_range(balance), "trial")));
   if (scales_in_turn(manifest) > 1)
     sentences.emplace_back(
         "The scales are rated one after the other, with all stimuli each; the numbers above are of "

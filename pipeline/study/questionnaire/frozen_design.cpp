@@ -17,10 +17,11 @@
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/questionnaire_content.h"
-#include "pipeline/manifest/reported_analyses.h"
 #include "pipeline/production/run/study_inputs.h"
+#include "pipeline/study/questionnaire/analysis_plan.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/session_duration.h"
+#include "pipeline/study/questionnaire/simulated_people.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 #include "render/video/video_kind.h"
 
@@ -52,9 +53,6 @@ constexpr char readme[] =
     "dummy-report/        report of simulated answers\n"
     "manifest-sha256.txt  hashes of all files: sha256sum -c manifest-sha256.txt\n\n"
     "mien study report --frozen compares a study as run with this archive.\n";
-
-constexpr char no_analysis_plan[] =
-    "No analysis plan: the manifest has no questionnaire.analysis.plan.\n";
 
 /// An archive that names more participants is not compared for their number.
 constexpr int most_compared_participants = 10000;
@@ -109,54 +107,6 @@ std::string scale_words_csv(const std::vector<Scale>& scales) {
       rows.push_back({scale.id, language, ends[0], ends[1]});
   }
   return scale_words_columns.of(rows).csv;
-}
-
-/// The level of significance, the correction and the exclusion of participants.
-std::string tests_plan(const Questionnaire& asked) {
-  const AnalysisPlan& analysis = asked.analysis;
-  std::string text = fmt::format("All tests are two-sided with α = {:g}; ", analysis.alpha);
-  text += analysis.correction == TestCorrection::none
-              ? "p values are not corrected for multiple comparisons.\n"
-              : fmt::format("p values are corrected within each family of comparisons ({}).\n",
-                            word_of(correction_words, analysis.correction));
-  if (asked.trials->is_continuous)
-    text += fmt::format(
-        "Traces are {}; the means of trials leave out the first {:g} s of the film.\n",
-        analysis.lag > 0.0 ? fmt::format("moved back by {:g} s", analysis.lag) : "not moved back",
-        asked.continuous.lead);
-  if (asked.attention_every > 0)
-    text += fmt::format(
-        "Participants who fail more than {} attention check{} are left out of the analysis with "
-        "all of their answers.\n",
-        analysis.max_failed_checks, analysis.max_failed_checks == 1 ? "" : "s");
-  return text;
-}
-
-/// Precedes what the report computes in any case, whose words may differ between versions.
-constexpr char reported_heading[] = "\nmien study report computes in any case:\n";
-std::string reported_text(const Manifest& manifest) {
-  std::string text;
-  for (const std::string& sentence : reported_analyses(manifest, ReportTense::present))
-    text += (text.empty() ? reported_heading : "") + ("- " + sentence + ".\n");
-  return text;
-}
-
-/// An analysis plan without what the report computes in any case.
-std::string stated_part(const std::string& plan) {
-  return plan.substr(0, plan.rfind(reported_heading));
-}
-
-/// The plan as the manifest has it, followed by how it is tested, by factors and contrasts, and by
-/// the quality rules.
-std::string analysis_plan_text(const Manifest& manifest) {
-  const AnalysisPlan& analysis = questionnaire_of(manifest).analysis;
-  std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
-  for (const std::string& part :
-       {tests_plan(questionnaire_of(manifest)),
-        factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
-        quality_plan(questionnaire_of(manifest))})
-    if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;
-  return plan + reported_text(manifest);
 }
 
 std::string design_json(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
@@ -358,6 +308,8 @@ void add_folder(ZipFiles& frozen, const fs::path& folder, const std::string& pre
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans) {
   frozen["dummy-report/answers.csv"] = to_csv(dummy_answers(manifest, plans));
+  if (asks_about_participants(manifest))
+    frozen["dummy-report/participants.csv"] = simulated_people_csv(manifest, plans);
   frozen[hashes_path] = hashes_text(frozen);
 }
 
@@ -385,8 +337,8 @@ std::vector<std::string> frozen_differences(const fs::path& bundle, const Manife
   compare_designs(then["design.json"], now["design.json"], differences);
   compare_tables("plans of participants", then["plans.csv"], now["plans.csv"], differences);
   compare_tables("scales", then["scales.csv"], now["scales.csv"], differences);
-  if (stated_part(then["analysis-plan.txt"]) != stated_part(now["analysis-plan.txt"]))
-    differences.push_back("analysis: the plan differs");
+  if (stated_plan_in(then["analysis-plan.txt"]) != stated_plan_in(now["analysis-plan.txt"]))
+    differences.push_back("analysis: the text of the plan differs");
   compare_tables("inputs", then["inputs.csv"], now["inputs.csv"], differences);
   if (study_folder.empty()) {
     differences.push_back("stimuli: not compared, because the study's folder was not given");

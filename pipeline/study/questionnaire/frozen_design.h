@@ -57,8 +57,9 @@ std::vector<AnswerRow> dummy_answers(const Manifest& manifest,
 /// how answers vary, and what is recognised.
 std::string dummy_assumptions(const Manifest& manifest);
 
-/// Adds the dummy answers (dummy-report/answers.csv), so that the analysis can be tested before
-/// data collection.
+/// Adds the dummy answers (dummy-report/answers.csv) and, if participants are asked about
+/// themselves, a table of them (dummy-report/participants.csv), so that the analysis can be tested
+/// before data collection.
 void add_dummy_answers(ZipFiles& frozen, const Manifest& manifest,
                        const std::vector<SessionPlan>& plans);
 

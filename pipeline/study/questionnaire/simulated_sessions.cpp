@@ -72,12 +72,12 @@ class SimulatedSession {
           uniform(plan_.seed, name("attention", trial, item)) < people_.attention_pass_rate;
       row.value_raw = *row.passed ? trial.expected : missed(question);
       row.value = row.value_raw;
-    } else {
-      row.value_raw = trial.kind->simulated(question, view_of(question));
-      trial.kind->complete(question, row);
+      return;
     }
+    row.value_raw = trial.kind->simulated(question, view_of(question));
+    trial.kind->complete(question, row);
     if (scale == nullptr || scale->words || !trial.kind->form->is_on_scale) return;
-    if (trial.kind->form->is_continuous && !trial.is_attention_check()) return;
+    if (trial.kind->form->is_continuous) return;
     row.pole_left = item.flipped ? "high" : "low";
     row.value = shortest(value_of_raw(*scale, std::stod(row.value_raw), item.flipped));
   }

@@ -221,9 +221,13 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.title = title_of(manifest);
   result.form = asked.trials;
   result.stimuli = reported_stimuli(manifest);
-  for (ReportedStimulus& stimulus : result.stimuli)
+  for (ReportedStimulus& stimulus : result.stimuli) {
     if (const auto moods = choices.moods.find(stimulus.id); moods != choices.moods.end())
       stimulus.moods = moods->second;
+    if (const auto film = choices.film_seconds.find(stimulus.id);
+        film != choices.film_seconds.end())
+      stimulus.film_s = film->second;
+  }
   result.factors = reported_factors(manifest, result.stimuli);
   result.factorial = asked.analysis.factorial;
   result.scales = questionnaire_scales(manifest).scales;

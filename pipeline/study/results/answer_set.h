@@ -35,6 +35,7 @@ struct ReportedStimulus {
   /// Of continuous trials: the moods of a stimulus whose mood changes while it is seen, by time of
   /// its video; empty otherwise.
   std::vector<ShownMood> moods = {};
+  double film_s = 0.0;  ///< of continuous trials: duration of the film; 0 if unknown
 
   /// Whether the stimulus is the baseline of others: its emotion is neutral or normal, or it has no
   /// emotion and `made` is as-is or neutral.
@@ -112,6 +113,8 @@ struct ReportChoices {
   SessionPeople session_people;     ///< for the quality rule repeated_by
   /// Of continuous trials: the moods of stimuli whose mood changes, by stimulus id.
   std::map<std::string, std::vector<ShownMood>> moods = {};
+  /// Of continuous trials: durations of the films, by stimulus id.
+  std::map<std::string, double> film_seconds = {};
 };
 
 /// A participant who answered fewer trials than planned and is not among `finished`

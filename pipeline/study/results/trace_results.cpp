@@ -60,13 +60,12 @@ TracePoint point_of(const Eigen::RowVectorXd& values, double time_s) {
   return point;
 }
 
-std::vector<TracePoint> points_of(const CourseTraces& traces, double lag_s) {
+std::vector<TracePoint> points_of(const CourseTraces& traces, double lag_s, double film_s) {
   const std::size_t first = first_sample_from(lag_s);
   const Eigen::MatrixXd table = traces.table(first);
   std::vector<TracePoint> points;
   for (Eigen::Index k = 0; k < table.rows(); ++k) {
-    const double time_s =
-        (static_cast<double>(first) + static_cast<double>(k)) / trace_rate_hz - lag_s;
+    const double time_s = sample_time(first + static_cast<std::size_t>(k), film_s) - lag_s;
     points.push_back(point_of(table.row(k), std::max(0.0, std::round(1e6 * time_s) / 1e6)));
   }
   return points;
@@ -105,19 +104,20 @@ void set_level(const Contributions& of, TraceSegment& segment) {
 }
 
 /// The parts of a film by its moods, of which there are several.
-std::vector<TraceSegment> segments_of(const CourseTraces& traces,
-                                      const std::vector<ShownMood>& moods, double lag_s,
-                                      double lead_s) {
+std::vector<TraceSegment> segments_of(const CourseTraces& traces, const ReportedStimulus& stimulus,
+                                      double lag_s, double lead_s) {
+  const std::vector<ShownMood>& moods = stimulus.moods;
   const Eigen::MatrixXd table = traces.table(0);
-  const double film_s = static_cast<double>(table.rows() - 1) / trace_rate_hz - lag_s;
+  const double end_s =
+      sample_time(static_cast<std::size_t>(table.rows()) - 1, stimulus.film_s) - lag_s;
   std::vector<TraceSegment> segments;
   std::vector<double> before;
   for (std::size_t i = 0; i < moods.size(); ++i) {
     TraceSegment segment;
     segment.mood = moods[i].mood;
     segment.from_s = std::max(moods[i].from_s, lead_s);
-    segment.to_s = i + 1 < moods.size() ? moods[i + 1].from_s : film_s;
-    segment.to_s = std::min(segment.to_s, film_s);
+    segment.to_s = i + 1 < moods.size() ? moods[i + 1].from_s : end_s;
+    segment.to_s = std::min(segment.to_s, end_s);
     const std::size_t end = i + 1 < moods.size() ? first_sample_from(moods[i + 1].from_s + lag_s)
                                                  : static_cast<std::size_t>(table.rows());
     Contributions of;
@@ -153,12 +153,14 @@ TraceResults trace_results(const AnswerSet& answer_set) {
     courses[{trace.stimulus, trace.scale}].add(trace);
   TraceResults results;
   for (const auto& [key, traces] : courses) {
-    results.means.push_back({key.first, key.second, points_of(traces, answer_set.trace_lag_s)});
+    results.means.push_back(
+        {key.first, key.second,
+         points_of(traces, answer_set.trace_lag_s, answer_set.stimuli[key.first].film_s)});
     results.agreement.push_back(
         agreement_on(traces, answer_set.trace_lag_s + answer_set.trace_lead_s));
     results.agreement.back().stimulus = key.first;
     results.agreement.back().scale = key.second;
-    for (TraceSegment& segment : segments_of(traces, answer_set.stimuli[key.first].moods,
+    for (TraceSegment& segment : segments_of(traces, answer_set.stimuli[key.first],
                                              answer_set.trace_lag_s, answer_set.trace_lead_s)) {
       segment.stimulus = key.first;
       segment.scale = key.second;

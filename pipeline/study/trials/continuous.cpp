@@ -57,7 +57,7 @@ std::string simulated_trace(const Question& question, const SimulatedView& view)
   const double opinion = view.opinion(0);
   std::vector<double> trace(trace_samples(view.film_seconds));
   for (std::size_t k = 0; k < trace.size(); ++k) {
-    const double seen = static_cast<double>(k) / trace_rate_hz - view.reaction_lag_s;
+    const double seen = sample_time(k, view.film_seconds) - view.reaction_lag_s;
     const double wander = k < view.wander.size() ? view.wander[k] : 0.0;
     double value = start + impression_share(seen) * (opinion - start + wander);
     for (const auto& [from_s, change] : view.changes)

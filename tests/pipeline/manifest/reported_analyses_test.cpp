@@ -25,17 +25,20 @@ TEST(ReportedAnalyses, OfRatingsAreByTheFactorsUnlessThePlanStatesThem) {
   EXPECT_EQ(words_of(manifest),
             "Ratings on each scale were analysed by a repeated-measures analysis of variance with "
             "the factors actor and emotion within participants, as far as their levels are "
-            "crossed, with p values corrected by Greenhouse and Geisser's method. All pairs of "
+            "crossed, with p values corrected by Greenhouse and Geisser's method. Participants "
+            "without an analysed rating in each cell of the design were left out of the analysis "
+            "of variance of that scale. All pairs of "
             "levels of the factors actor and emotion were compared within participants by paired t "
             "tests and Wilcoxon signed-rank tests; the pairs of a factor on all scales formed one "
-            "family.");
+            "family. What participants answered who did not finish was included.");
   EXPECT_TRUE(
       holds(words_of(manifest, ReportTense::present), "Ratings on each scale are analysed"));
   manifest.questionnaire->analysis.factorial.factors = {"emotion"};
-  EXPECT_TRUE(words_of(manifest).starts_with("All pairs of levels of the factor emotion were"));
+  EXPECT_TRUE(words_of(manifest).starts_with("Participants without an analysed rating in"));
+  EXPECT_TRUE(holds(words_of(manifest), "All pairs of levels of the factor emotion were"));
   for (Stimulus& stimulus : manifest.stimuli) stimulus.factors.clear();
   manifest.questionnaire->analysis.factorial = {};
-  EXPECT_EQ(words_of(manifest), ".");
+  EXPECT_EQ(words_of(manifest), "What participants answered who did not finish was included.");
 }
 
 TEST(ReportedAnalyses, OfContinuousTrialsAreOfTracesMoodsAndAgreement) {
@@ -58,12 +61,11 @@ TEST(ReportedAnalyses, OfContinuousTrialsAreOfTracesMoodsAndAgreement) {
   EXPECT_TRUE(holds(words_of(manifest), "For films in which the mood changes, each participant's"));
 }
 
-TEST(ReportedAnalyses, AreNoneWithoutRatings) {
-  EXPECT_EQ(words_of(test::asked_study(
-                8, "participants: 4, trials: emotion, choices: [sad, happy, calm]")),
-            ".");
-  EXPECT_EQ(words_of(test::asked_study(8, "participants: 4, scales: [sad-happy], trials: pair")),
-            ".");
+TEST(ReportedAnalyses, WithoutRatingsAreOfUnfinishedAnswersOnly) {
+  for (const char* asked : {"participants: 4, trials: emotion, choices: [sad, happy, calm]",
+                            "participants: 4, scales: [sad-happy], trials: pair"})
+    EXPECT_EQ(words_of(test::asked_study(8, asked), ReportTense::present),
+              "What participants answer who do not finish is included.");
 }
 
 }  // namespace

@@ -61,9 +61,11 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
       "answer converted to the scale's range, increasing towards the high pole; or the emotion or "
       "stimulus chosen (tie: neither), or the text written; same or different, yes or no; in "
       "continuous "
-      "trials the mean of the trace after the lead"},
+      "trials the mean of the trace after the lead; of an attention check the raw answer, not "
+      "converted"},
      &Row::value},
-    {{"pole_left", "", "pole on the left: low or high"}, &Row::pole_left},
+    {{"pole_left", "", "pole on the left: low or high; empty for attention checks"},
+     &Row::pole_left},
     {{"rt_ms", "ms",
       "response time, from when answering became possible; in continuous trials, from the "
       "beginning of "

@@ -32,6 +32,11 @@ std::size_t trace_samples(double seconds) {
   return static_cast<std::size_t>(std::ceil(seconds * trace_rate_hz - rounding_slack)) + 1;
 }
 
+double sample_time(std::size_t sample, double film_seconds) {
+  const double time = static_cast<double>(sample) / trace_rate_hz;
+  return film_seconds > 0.0 ? std::min(time, film_seconds) : time;
+}
+
 std::size_t longest_trace_text() {
   return std::string_view("99.9 ").size() * trace_samples(longest_trace_seconds);
 }

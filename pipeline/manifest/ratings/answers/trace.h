@@ -10,8 +10,8 @@ namespace mien::pipeline {
 
 // The answer of a continuous trial: a trace, which holds the position of a marker, 0 to 100 from
 // the left, while a film played. Sample k is the position at k / trace_rate_hz seconds of the
-// film's own time, so that a film that stops for a while has no more samples than another. As text,
-// the samples are separated by spaces ("50 50 52.5").
+// film's own time (the last one: at its end), so that a film that stops for a while has no more
+// samples than another. As text, the samples are separated by spaces ("50 50 52.5").
 
 inline constexpr double trace_rate_hz = 10.0;
 
@@ -22,6 +22,10 @@ inline constexpr double longest_trace_seconds = 600.0;
 /// Number of samples of a film's trace: ⌈seconds · trace_rate_hz⌉ + 1. The last one is the position
 /// at the end of the film, which is less than one sampling interval before its time.
 std::size_t trace_samples(double seconds);
+
+/// The time of a sample in a film of that duration, seconds: k / trace_rate_hz, but not later than
+/// the end of the film. A film of 0 s is one of unknown duration.
+double sample_time(std::size_t sample, double film_seconds);
 
 /// Longest text of a trace of longest_trace_seconds, characters.
 std::size_t longest_trace_text();

@@ -12,7 +12,7 @@ namespace {
 
 struct TraceSample {
   const AnswerRow& answer;
-  std::size_t number;  ///< from 0
+  double time_s;
   double value;
 };
 
@@ -27,7 +27,7 @@ constexpr auto trace_columns = table_of<TraceSample>(
       [](auto& r) { return r.answer.stimulus; }},
      {"scale", "", "scale id", [](auto& r) { return r.answer.item; }},
      {"time_s", "s", "time of the film, not moved by a lag; the last sample is at its end",
-      [](auto& r) { return static_cast<double>(r.number) / trace_rate_hz; }},
+      [](auto& r) { return r.time_s; }},
      {"value", "0–100", "position of the marker, increasing towards the high end",
       [](auto& r) { return r.value; }},
      {"simulated", "0/1", "1: simulated answer", [](auto& r) { return r.answer.simulated; }}});
@@ -50,12 +50,15 @@ bool has_traces(const std::vector<AnswerRow>& rows) {
   return std::ranges::any_of(rows, is_of_continuous);
 }
 
-std::string traces_csv(const std::vector<AnswerRow>& rows) {
+std::string traces_csv(const std::vector<AnswerRow>& rows,
+                       const std::map<std::string, double>& film_seconds) {
   CsvWriter writer(header_of(traces_form));
   for (const AnswerRow& row : rows) {
     const auto trace = trace_of(row);
+    const auto film = film_seconds.find(row.stimulus);
+    const double seconds = film == film_seconds.end() ? 0.0 : film->second;
     for (std::size_t k = 0; trace && k < trace->size(); ++k)
-      writer.row(trace_columns.fields_of({row, k, (*trace)[k]}));
+      writer.row(trace_columns.fields_of({row, sample_time(k, seconds), (*trace)[k]}));
   }
   return writer.text();
 }

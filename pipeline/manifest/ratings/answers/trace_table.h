@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,9 @@ std::optional<std::vector<double>> trace_of(const AnswerRow& row);
 bool has_traces(const std::vector<AnswerRow>& rows);
 
 /// CSV of the traces of these answers, in their order, practice included; their other columns are
-/// those of the answers of the same participant, session and trial.
-std::string traces_csv(const std::vector<AnswerRow>& rows);
+/// those of the answers of the same participant, session and trial. The last sample of a film has
+/// the time of its end, if `film_seconds` has the duration of that stimulus.
+std::string traces_csv(const std::vector<AnswerRow>& rows,
+                       const std::map<std::string, double>& film_seconds);
 
 }  // namespace mien::pipeline

@@ -128,7 +128,7 @@ std::string traces_csv(const ServedStudy& study, const StudySessions& sessions) 
   for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
     std::ranges::move(rows_of(study.facts, plan, trial, record), std::back_inserter(rows));
   });
-  return traces_csv(rows);
+  return traces_csv(rows, study.facts.seconds);
 }
 
 std::string answers_csv(const ServedStudy& study, const StudySessions& sessions) {

@@ -59,9 +59,12 @@ std::string alphanumeric(const std::string& text) {
 }
 
 /// The traces, with participants named as in the other tables.
-std::string separated_traces_csv(std::vector<AnswerRow> rows) {
+std::string separated_traces_csv(const Results& results, std::vector<AnswerRow> rows) {
   separate_participants(rows);
-  return traces_csv(rows);
+  std::map<std::string, double> film_seconds;
+  for (const ReportedStimulus& stimulus : results.answer_set.stimuli)
+    film_seconds[stimulus.id] = stimulus.film_s;
+  return traces_csv(rows, film_seconds);
 }
 
 std::string answers_csv(const Results& results, std::vector<AnswerRow> rows) {
@@ -258,7 +261,7 @@ std::vector<DatasetFile> dataset_files(const Results& results, const std::vector
                                      "report.html\ncodebook.csv\n"
                                      "results/\nfigures/\nanalysis/\n"}};
   if (results.answer_set.form->is_continuous)
-    files.push_back({paths.traces, separated_traces_csv(rows)});
+    files.push_back({paths.traces, separated_traces_csv(results, rows)});
   if (!results.demographics.empty())
     files.push_back({paths.participants, participants_csv(results.demographics.table)});
   return files;

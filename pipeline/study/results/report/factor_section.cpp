@@ -117,8 +117,8 @@ constexpr char method[] =
     "effects on all scales. Only participants who rated every cell are included. Partial η² has a "
     "90 % interval (noncentral F), which excludes 0 if p is below .05; generalized η² can be "
     "compared between designs. Stimuli are treated as fixed: conclusions are about these videos. "
-    "Ratings are treated as numbers; the scripts in analysis/ fit mixed models with random stimuli "
-    "and, for ordered categories, cumulative link mixed models.";
+    "Ratings are treated as numbers; the scripts in analysis/ fit mixed models with random "
+    "participants {} and, for ordered categories, cumulative link mixed models.";
 
 constexpr char contrast_method[] =
     "Contrasts are tested within participants, regardless of groups, by a paired t test, and by "
@@ -127,9 +127,29 @@ constexpr char contrast_method[] =
     "of the other factors’ levels) in which all compared levels were rated are used. p values are "
     "corrected over all planned contrasts on all their scales, and over all pairs of levels of a "
     "factor on all scales. d_z: mean over standard deviation of these sums, with its interval "
-    "(noncentral t). Only participants are random in these tests: they are valid for these videos. "
-    "With several videos in a cell, analysis/lme4.R tests the same planned contrasts with random "
-    "participants and stimuli.";
+    "(noncentral t). Only participants are random in these tests: they are valid for these videos.";
+
+/// Whether the mixed models of the scripts have random stimuli (r_scripts.cpp).
+bool has_random_stimuli(const Results& results) {
+  const Crossing& crossing = results.effects.crossing;
+  return crossing.empty() || crossing.stimuli() > crossing.cells.size();
+}
+
+std::string method_text(const Results& results) {
+  return fmt::format(method, has_random_stimuli(results)
+                                 ? "and stimuli"
+                                 : "(each cell of the design has one video, which cannot be told "
+                                   "apart from the cell)");
+}
+
+std::string contrast_method_text(const Results& results, bool are_planned) {
+  std::string text = contrast_method;
+  if (are_planned && !results.effects.crossing.empty() && has_random_stimuli(results))
+    text +=
+        " With several videos in a cell, analysis/lme4.R tests the same planned contrasts with "
+        "random participants and stimuli.";
+  return text;
+}
 
 }  // namespace
 
@@ -140,12 +160,13 @@ std::string factor_section_html(const Results& results, const std::string& figur
   if (effects.empty() && planned.empty() && pairs.empty() && results.effects.reason.empty())
     return "";
   std::string html;
-  if (!results.effects.crossing.empty()) html += html_paragraph(method);
+  if (!results.effects.crossing.empty()) html += html_paragraph(method_text(results));
   if (!results.effects.reason.empty()) html += html_paragraph(results.effects.reason);
   html += html_list("", crossing_sentences(results.answer_set, results.effects.crossing));
   html += left_out_html(results) + effects + figures +
           closed_table("Means of all cells", cells_table(results));
-  if (!planned.empty() || !pairs.empty()) html += html_paragraph(contrast_method);
+  if (!planned.empty() || !pairs.empty()) 
+    html += html_paragraph(contrast_method_text(results, !planned.empty()));
   if (!planned.empty()) html += "<h3>Planned contrasts</h3>\n" + planned;
   return html + closed_table("All pairs of levels", pairs);
 }

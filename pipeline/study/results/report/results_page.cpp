@@ -69,13 +69,6 @@ std::size_t judged_stimuli(const AnswerSet& answer_set) {
   return std::max(judged.size(), in_words.size());
 }
 
-/// Says which thesis is meant, if the page mentions it.
-std::string thesis_html(const std::string& body) {
-  if (body.find("emotion thesis") == std::string::npos) return "";
-  return "<p class=\"quiet\">The emotion thesis: <i>Algorithmic modifications to the emotional "
-         "content of motion capture data</i>, Aalto University, 2010.</p>\n";
-}
-
 /// What a unit of the ratings is, if all scales have the same range.
 std::string units_html(const AnswerSet& answer_set) {
   if (answer_set.ratings.empty()) return "";
@@ -89,9 +82,10 @@ std::string units_html(const AnswerSet& answer_set) {
       "<p class=\"quiet\">Ratings are in scale units: {} at the low end, {} at the high end. "
       "{}.</p>\n",
       fmt::format("{:g}", first.least), fmt::format("{:g}", first.most),
-      answer_set.is_slider ? fmt::format("A slider’s length is {:g} units", range)
-                           : fmt::format("Neighbouring points of the {} shown differ by {:.3g}",
-                                         answer_set.points, range / (answer_set.points - 1)));
+      answer_set.form->is_continuous ? "Those of a trial are the mean of its trace after the lead"
+      : answer_set.is_slider         ? fmt::format("A slider’s length is {:g} units", range)
+                             : fmt::format("Neighbouring points of the {} shown differ by {:.3g}",
+                                           answer_set.points, range / (answer_set.points - 1)));
 }
 
 std::string head_html(const Results& results, const FrozenVerdict& frozen) {
@@ -123,8 +117,10 @@ std::string levels_title(const Results& results) {
   return has_actors ? "Actors and other factors" : "Videos that differ in one factor";
 }
 
+/// Empty for continuous trials, in which films are not rated as a whole.
 std::string best_html(const Results& results, const PageParts& parts,
                       const std::vector<std::string>& others) {
+  if (results.answer_set.form->is_continuous) return "";
   const std::string table = best_seen_html(results);
   if (table.empty()) return "";
   std::string html =
@@ -137,8 +133,8 @@ std::string best_html(const Results& results, const PageParts& parts,
           "minus the mean of the participant’s ratings of the other videos; the table gives the "
           "mean over participants, positive towards the end. The video listed is the one for which "
           "it is largest. “Paired”: paired t test of this difference. "
-          "“Welch”: Welch’s test, as in the emotion thesis, of the ratings of this video against "
-          "all ratings of videos of the same setting, including this one, treating ratings by the "
+          "“Welch”: Welch’s test of the ratings of this video against all ratings of videos of the "
+          "same setting, including this one, treating ratings by the "
           "same participant as independent. g_z: Hedges’ g of these within-participant "
           "differences. In the tables of all videos, V is the statistic of the "
           "Wilcoxon signed-rank test, the sum of the ranks of the positive differences, "
@@ -375,9 +371,8 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
       "files", "Files",
       files_html(tables, !results.answer_set.ratings.empty(), !results.effects.crossing.empty()));
   const std::string mark = results.answer_set.simulated ? "Simulated: " : "";
-  return html_page(
-      mark + results.answer_set.title, results_style,
-      head_html(results, frozen) + parts.nav() + thesis_html(parts.body()) + parts.body());
+  return html_page(mark + results.answer_set.title, results_style,
+                   head_html(results, frozen) + parts.nav() + parts.body());
 }
 
 }  // namespace mien::pipeline

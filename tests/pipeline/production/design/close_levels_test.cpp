@@ -124,6 +124,7 @@ TEST(PlannedProperties, AreThoseOfTheFilm) {
   EXPECT_EQ(value(0, "figure").text, "stick");
   EXPECT_EQ(value(1, "figure").text, "mannequin");
   EXPECT_EQ(value(1, "in_place").text, "yes");
+  EXPECT_EQ(value(0, "sound").text, "without");
   EXPECT_GT(value(0, "figure_height").number, 50.0);
   EXPECT_TRUE(std::isnan(value(0, "luminance").number));
   manifest.equalize.duration = true;
@@ -133,6 +134,21 @@ TEST(PlannedProperties, AreThoseOfTheFilm) {
       EXPECT_TRUE(std::isnan(equalized[0][i].number));
     }
   }
+}
+
+TEST(PlannedProperties, NameTheSoundFile) {
+  Manifest manifest = study_of({blend("a", 0.0, {}), blend("b", 0.0, {}), blend("c", 0.0, {})});
+  manifest.stimuli[0].sound = StimulusSound{.file = "/nowhere/sad/speech.wav"};
+  manifest.stimuli[1].sound = StimulusSound{.file = "/nowhere/happy/speech.wav", .offset = 1.5};
+  manifest.stimuli[2].sound = StimulusSound{.file = "/nowhere/happy/steps.wav"};
+  Motions motions(manifest);
+  const std::vector<PropertyValues> values = planned_properties(manifest, motions);
+  std::vector<std::string> sounds;
+  for (const PropertyValues& one : values)
+    for (std::size_t i = 0; i < one.size(); ++i)
+      if (std::string_view(stimulus_properties[i].id) == "sound") sounds.push_back(one[i].text);
+  EXPECT_EQ(sounds, (std::vector<std::string>{"sad/speech.wav", "happy/speech.wav from 1.5 s",
+                                              "steps.wav"}));
 }
 
 }  // namespace

@@ -76,6 +76,22 @@ TEST(Confounds, AreTextsThatAreConstantWithinLevelsAndDifferBetweenThem) {
             "and is constant within them (k: studio; t: void)\n");
 }
 
+TEST(Confounds, AreSoundsOfLevelsOrThatOnlySomeLevelsHaveSound) {
+  DesignedStudy study = crossed();
+  study.set("sound", std::vector<std::string>{"low.wav", "low.wav", "high.wav", "high.wav"});
+  EXPECT_EQ(study.relation("mood", "sound").relation, PropertyRelation::varies);
+  EXPECT_EQ(study.warnings(),
+            "stimuli[0].factors.actor: the sound differs between the levels of the factor "
+            "\"actor\" and is constant within them (k: low.wav; t: high.wav)\n");
+  study.set("sound", std::vector<std::string>{"a.wav", "b.wav", "c.wav", "d.wav"});
+  EXPECT_EQ(study.warnings(), "");
+  EXPECT_EQ(study.relation("actor", "sound").levels[0].text, "a.wav; b.wav");
+  study.set("sound", std::vector<std::string>{"a.wav", "b.wav", "without", "without"});
+  EXPECT_EQ(study.warnings(),
+            "stimuli[0].factors.actor: the sound differs between the levels of the factor "
+            "\"actor\" and is constant within them (k: with; t: without)\n");
+}
+
 TEST(Confounds, AreNumbersThatDifferLessThanAPercentWithinLevels) {
   DesignedStudy study = crossed();
   study.set("duration", std::vector<double>{2.0, 2.015, 3.0, 2.98});

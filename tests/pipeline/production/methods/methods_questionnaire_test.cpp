@@ -243,6 +243,56 @@ TEST_F(MethodsQuestionnaire, SaysHowFilmsWereRatedWhileTheyPlayed) {
               "the mean of a trial is of all samples.");
 }
 
+TEST_F(MethodsQuestionnaire, CountsTrialsThatAreNotAnalysedOnEachScaleInTurn) {
+  const std::string members =
+      "participants: 4, scales: [slow-fast, sad-happy], trials: continuous, attention: {every: 2}, "
+      "practice: [a]";
+  const std::string text = methods_of_asked(members + ", warm_up: 2");
+  for (const char* words :
+       {"Trials were in random order for each participant and scale.",
+        "The order of the scales rotated between participants: over as many participants as there "
+        "are scales, each scale was once in each place.",
+        "With each of the 2 scales there were in addition 1 practice trial and 2 warm-up trials, "
+        "which were not analysed with the others.",
+        // Of the 6 trials of a scale, the second and the fourth are followed by one.
+        "an attention check asked for a certain answer (about 4 in a session)."})
+    expect_said(text, words);
+  const std::string one = methods_of_asked(members);
+  expect_said(one,
+              "With each of the 2 scales there was in addition 1 practice trial, which was not "
+              "analysed with the others.");
+  const std::string fixed = methods_of_asked(members + ", order: fixed");
+  expect_said(fixed, "Scales and trials had the same order for all participants.");
+  EXPECT_EQ(fixed.find("rotated"), std::string::npos) << fixed;
+  EXPECT_EQ(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous")
+                .find("rotated"),
+            std::string::npos);
+}
+
+TEST_F(MethodsQuestionnaire, CountsPractisedPairsAndSetsOnce) {
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: pair, practice: [a, "
+                               "b]"),
+              "In addition there was 1 practice trial, which was not analysed");
+  expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: best_worst, "
+                               "best_worst: {size: 3, sets: 4}, practice: [a, b, c, b, c, d]"),
+              "In addition there were 2 practice trials, which were not analysed");
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhatBecomesOfIncompleteAnswers) {
+  const std::string text = methods_of_asked("participants: 4, scales: [slow-fast]");
+  for (const char* words :
+       {"What participants answered who did not finish was included.",
+        "Participants without an analysed rating in each cell of the design were left out of the "
+        "analysis of variance of that scale."})
+    expect_said(text, words);
+  const std::string planned =
+      methods_of_asked("participants: 4, scales: [slow-fast], analysis: {factors: [mood]}");
+  expect_said(planned, "were left out of the analysis of variance of that scale.");
+  const std::string choices = methods_of_asked("participants: 4, scales: [slow-fast], trials: pair");
+  expect_said(choices, "What participants answered who did not finish was included.");
+  EXPECT_EQ(choices.find("analysis of variance"), std::string::npos) << choices;
+}
+
 TEST_F(MethodsQuestionnaire, SaysWhatWasAskedInOtherTrials) {
   expect_said(
       methods_of_asked("participants: 4, scales: [slow-fast], trials: pair, preference: {ties: "

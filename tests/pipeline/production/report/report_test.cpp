@@ -209,6 +209,8 @@ TEST(Report, ShowsWhatWasAskedAndFoldsTheOtherScales) {
   const std::string weights = open_part_of(page, "target");
   EXPECT_EQ(weights.find("sad – happy"), std::string::npos);
   EXPECT_NE(weights.find("proud"), std::string::npos);
+  EXPECT_NE(page.find("other parameters</summary>"), std::string::npos);
+  EXPECT_EQ(page.find("without requested values"), std::string::npos);
 }
 
 TEST(Report, NamesScalesInTheLanguageOfTheStudyAlone) {

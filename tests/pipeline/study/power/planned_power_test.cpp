@@ -101,6 +101,22 @@ TEST(PlannedPower, OfAContrastIsThatOfTheNoncentralDistribution) {
   }
 }
 
+TEST(PlannedPower, IsPrintedWithItsInterval) {
+  PlannedTestPower row;
+  row.name = "made";
+  row.scale = "sad-happy";
+  row.participants = 12;
+  row.studies = 400;
+  row.power = {.share = 0.712, .low = 0.6651, .high = 0.7549};
+  row.power_error = 0.0226;
+  row.false_positives = {.share = 0.05, .low = 0.03, .high = 0.055};
+  EXPECT_EQ(planned_power_lines({row}, 12, 0.8, 0.05).back(),
+            "  participants random: 71.2 [66.5, 75.5] (false positives 5.0); below 80 % up to 12 "
+            "participants");
+  EXPECT_EQ(planned_power_notes({row}, 12, 0.05).front(),
+            "In brackets: 95 % interval of the simulation (Wilson).");
+}
+
 /// Table, text and figure list tests in the same order.
 TEST(PlannedPower, IsListedWithContrastsFirst) {
   Manifest manifest = planned_study(2, 2);
@@ -413,12 +429,12 @@ TEST(PlannedPower, SaysThatItIsSimulatedAndWhereATestIsNotValid) {
   EXPECT_EQ(inflated, 2);
   EXPECT_EQ(valid, 2);
   const auto notes = planned_power_notes(rows, 20, 0.05);
-  ASSERT_EQ(notes.size(), 2u);
-  EXPECT_NE(notes[0].find("with α = 0.05 and not corrected for multiple"), std::string::npos);
-  EXPECT_NE(notes[1].find("does not control for stimuli"), std::string::npos);
-  EXPECT_NE(notes[1].find("hence no number of participants is given"), std::string::npos);
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_NE(notes[1].find("with α = 0.05 and not corrected for multiple"), std::string::npos);
+  EXPECT_NE(notes[2].find("does not control for stimuli"), std::string::npos);
+  EXPECT_NE(notes[2].find("hence no number of participants is given"), std::string::npos);
   options.spreads.front().spread.stimulus = 0.0;  // these particular stimuli
-  EXPECT_EQ(planned_power_notes(planned_power(manifest, options), 20, 0.05).size(), 1u);
+  EXPECT_EQ(planned_power_notes(planned_power(manifest, options), 20, 0.05).size(), 2u);
   options.spreads.front().spread.stimulus = 0.8;
   manifest.questionnaire->per_participant = 1;  // of eight, so that nobody sees both cells
   options.stimuli_per_cell.clear();

@@ -4,6 +4,8 @@
 #include <regex>
 #include <set>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "motion/math/random_number.h"
@@ -155,6 +157,29 @@ TEST(SessionPlan, OfPairsPutsEachStimulusLeftForHalfOfTheParticipants) {
   EXPECT_EQ(balance.subjects.size(), 6u);
   EXPECT_EQ(left_range(balance).least, 6);
   EXPECT_TRUE(left_range(balance).is_uniform());
+}
+
+TEST(SessionPlan, OfPairsSaysWhereOrWhenTheFirstOfThemIsShown) {
+  const auto sentences = [](int participants, const std::string& more) {
+    const Manifest manifest = asked_study(
+        2, fmt::format("participants: {}, scales: [sad-happy], trials: pair{}", participants, more));
+    const auto said =
+        balance_sentences(manifest, balance_of(manifest, plan_sessions(manifest)), participants);
+    return fmt::format("{}", fmt::join(said, "\n"));
+  };
+  const auto expect = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  const std::string together = sentences(2, "");
+  expect(together, "Each pair is shown to 2 participants of 2.");
+  expect(together, "Each pair appears twice in each position.");
+  expect(together, "The first stimulus of each pair is on the left once.");
+  const std::string in_turn = sentences(4, ", preference: {shown: in_turn}");
+  expect(in_turn, "The first stimulus of each pair is shown first twice.");
+  EXPECT_EQ(in_turn.find("on the left"), std::string::npos) << in_turn;
+  const std::string one = sentences(1, "");
+  expect(one, "Each pair is shown to 1 participant of 1.");
+  expect(sentences(6, ""), "The first stimulus of each pair is on the left 3 times.");
 }
 
 /// Numbers of trials of two different and of two equal stimuli.

@@ -40,8 +40,8 @@ const std::vector<AnswerRow> three_answered = {answered("p001", "a", 1), answere
 TEST(RepeatedParticipation, IsOfTheSameValueAfterTheFirstInTheFiles) {
   const Repeated found = repeated(three_answered, people_by(three_sessions));
   EXPECT_EQ(found, (Repeated{{"p003",
-                              "participation 2 > 1 of a person, the first being p001 (by "
-                              "order in the files)"}}));
+                              "participation number 2 of a person who first took part as p001 "
+                              "(by order in the files)"}}));
 }
 
 TEST(RepeatedParticipation, OfOtherFilesFirstIsOfOthers) {
@@ -60,14 +60,14 @@ TEST(RepeatedParticipation, GoesByTheTimeOfConsentWhereAllHaveOne) {
   };
   EXPECT_EQ(found("2026-03-02T09:30:00.000Z", "2026-03-01T09:30:00.000Z"),
             (Repeated{{"p001",
-                       "participation 2 > 1 of a person, the first being p003 (by time of "
-                       "consent)"}}));
+                       "participation number 2 of a person who first took part as p003 (by "
+                       "time of consent)"}}));
   EXPECT_TRUE(found("2026-03-01T09:30:00Z", "2026-03-01T09:30:00.001Z").contains("p003"));
   EXPECT_TRUE(found("2026-03-01T09:30:00.001Z", "2026-03-01T09:30:00Z").contains("p001"));
   EXPECT_EQ(found("2026-03-02T09:30:00.000Z", ""),
             (Repeated{{"p003",
-                       "participation 2 > 1 of a person, the first being p001 (by order "
-                       "in the files)"}}));
+                       "participation number 2 of a person who first took part as p001 (by "
+                       "order in the files)"}}));
 }
 
 TEST(RepeatedParticipation, OfAllButTheFirstIsCounted) {
@@ -77,7 +77,7 @@ TEST(RepeatedParticipation, OfAllButTheFirstIsCounted) {
       rows, people_by("participant,session,url_PID\np001,a,X\np002,b,X\np003,c,X\np004,d,\n"));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_TRUE(
-      found.at("p003").starts_with("participation 3 > 1 of a person, the first being p001"));
+      found.at("p003").starts_with("participation number 3 of a person who first took part as p001"));
 }
 
 TEST(RepeatedParticipation, IsNotOfEmptyValues) {

@@ -14,6 +14,7 @@
 #include "pipeline/study/results/figures/result_figures.h"
 #include "pipeline/study/results/report/dataset.h"
 #include "pipeline/study/results/report/page_tables.h"
+#include "pipeline/study/results/report/results_report.h"
 #include "pipeline/study/results/result_tables.h"
 #include "pipeline/study/results/two_emotions.h"
 
@@ -213,6 +214,30 @@ TEST(TraceResults, FollowATruthThatChangesAfterTheLag) {
   EXPECT_LT(found.segments[1].change_ends.low, found.segments[1].change);
   EXPECT_GT(found.segments[1].change_ends.high, found.segments[1].change);
   EXPECT_LT(found.segments[1].ends.high - found.segments[1].ends.low, 5.0);
+}
+
+TEST(TraceResults, DoNotGoOnAfterTheFilm) {
+  Manifest manifest = continuous_study(2);
+  manifest.questionnaire->analysis.lag = 1.5;
+  const std::vector<AnswerRow> rows = answers_to(manifest, {}, watchers(12.04));
+  const ReportChoices choices{.moods = {{"sad", {{0.0, "sad"}, {6.0, "happy"}}}},
+                              .film_seconds = {{"sad", 12.04}}};
+  const Results results = results_of(collect_answers(manifest, rows, choices), rows, {});
+  EXPECT_NEAR(results.traces.means.front().points.back().time_s, 10.54, 1e-9);
+  EXPECT_NEAR(results.traces.segments.back().to_s, 10.54, 1e-9);
+  const std::string html = trace_section_html(results, "");
+  EXPECT_NE(html.find("6.0–10.5"), std::string::npos) << html;
+}
+
+TEST(TraceResults, AreReportedWithoutSectionsOnRatingsAfterFilms) {
+  const Manifest manifest = continuous_study(4, {"sad", "happy"});
+  const std::vector<AnswerRow> rows = answers_to(manifest, {}, watchers(8.0));
+  const Results results = results_of(collect_answers(manifest, rows), rows, {});
+  const std::string page = results_page(results, {}, {}, {});
+  EXPECT_EQ(page.find("Highest-rated"), std::string::npos);
+  EXPECT_EQ(page.find("slider"), std::string::npos);
+  EXPECT_NE(page.find("Those of a trial are the mean of its trace after the lead."),
+            std::string::npos);
 }
 
 /// Means over parts of traces that are known exactly.

@@ -69,12 +69,22 @@ TEST(Traces, AreATableOfASampleARowTowardsTheHighEnd) {
                                        answered("0 62.5", "high")};
   EXPECT_TRUE(has_traces(rows));
   EXPECT_FALSE(has_traces({rating}));
-  EXPECT_EQ(traces_csv(rows),
+  EXPECT_EQ(traces_csv(rows, {}),
             "participant,session,trial,stimulus,scale,time_s,value,simulated\n"
             "p002,ab,3,walk,sad-happy,0,50,0\n"
             "p002,ab,3,walk,sad-happy,0.1,62.5,0\n"
             "p002,ab,3,walk,sad-happy,0,100,0\n"
             "p002,ab,3,walk,sad-happy,0.1,37.5,0\n");
+}
+
+TEST(Traces, EndWithTheFilm) {
+  EXPECT_EQ(trace_samples(12.04), 122u);
+  EXPECT_EQ(sample_time(120, 12.04), 12.0);
+  EXPECT_EQ(sample_time(121, 12.04), 12.04);
+  EXPECT_EQ(sample_time(121, 0.0), 12.1) << "of unknown duration";
+  const std::string csv = traces_csv({answered("50 60 70", "low")}, {{"walk", 0.16}});
+  EXPECT_NE(csv.find(",0.1,60,0\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",0.16,70,0\n"), std::string::npos) << csv;
 }
 
 }  // namespace

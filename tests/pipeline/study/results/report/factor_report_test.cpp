@@ -106,9 +106,24 @@ TEST(FactorReport, WritesScriptsWithTheFactorsAndContrastsOfTheReport) {
 }
 
 TEST(FactorReport, WritesNoRandomStimuliWhereEachCellHasOne) {
-  const std::string mixed = report_on(two_emotion_study(5)).at("analysis/lme4.R");
+  const auto files = report_on(two_emotion_study(5));
+  const std::string& mixed = files.at("analysis/lme4.R");
   EXPECT_NE(mixed.find("value ~ made * emotion + (1 | participant), data"), std::string::npos);
   EXPECT_EQ(mixed.find("(1 | stimulus)"), std::string::npos);
+  const std::string& page = files.at("report.html");
+  EXPECT_NE(page.find("fit mixed models with random participants (each cell of the design has one "
+                      "video, which cannot be told apart from the cell)"),
+            std::string::npos);
+  EXPECT_EQ(page.find("random stimuli"), std::string::npos);
+  EXPECT_EQ(page.find("participants and stimuli"), std::string::npos);
+}
+
+TEST(FactorReport, NamesTheRandomEffectsOfTheScripts) {
+  const std::string page = report_on(planned_study(), gender_of_eight()).at("report.html");
+  EXPECT_NE(page.find("fit mixed models with random participants and stimuli"), std::string::npos);
+  EXPECT_NE(page.find("analysis/lme4.R tests the same planned contrasts with random participants "
+                      "and stimuli"),
+            std::string::npos);
 }
 
 TEST(FactorReport, WritesScriptsWithoutInteractionsWhereNothingIsCrossed) {

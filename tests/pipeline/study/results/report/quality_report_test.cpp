@@ -158,7 +158,8 @@ TEST(QualityReport, GivesTheReasonOfEachFlag) {
   EXPECT_EQ(reasons.count("p004"), 2u);
   EXPECT_EQ(field_of(reasons, "p004"), "response time 100 ms < 250 ms");
   EXPECT_EQ(field_of(reasons, "p006"),
-            "participation 2 > 1 of a person, the first being p001 (by order in the files)");
+            "participation number 2 of a person who first took part as p001 (by order in the "
+            "files)");
   EXPECT_EQ(field_of(column_of(files, "results/sessions.csv", "reasons"), "p002"),
             field_of(reasons, "p002"));
   EXPECT_EQ(field_of(column_of(files, "results/sessions.csv", "answers"), "p004"), "8");

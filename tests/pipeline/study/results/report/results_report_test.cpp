@@ -121,6 +121,12 @@ TEST(ResultsReport, HoldsEverythingTheSameBytesEachTime) {
   EXPECT_EQ(written_report(reported_study()), files);
 }
 
+TEST(ResultsReport, NamesNoThesisOfOthers) {
+  const std::string page = usual_report().at("report.html");
+  EXPECT_NE(page.find("Highest-rated videos"), std::string::npos);
+  EXPECT_EQ(page.find("thesis"), std::string::npos);
+}
+
 TEST(ResultsReport, NamesTheColumnsOfRecallAsPublished) {
   EXPECT_TRUE(usual_report()
                   .at("results/recall.csv")
