@@ -79,7 +79,7 @@ class SimulatedSession {
     if (scale == nullptr || scale->words || !trial.kind->form->is_on_scale) return;
     if (trial.kind->form->is_continuous) return;
     row.pole_left = item.flipped ? "high" : "low";
-    row.value = shortest(value_of_raw(*scale, std::stod(row.value_raw), item.flipped));
+    row.value = shortest(written_value_of_raw(*scale, std::stod(row.value_raw), item.flipped));
   }
 
   SimulatedView view_of(const Question& question) const {

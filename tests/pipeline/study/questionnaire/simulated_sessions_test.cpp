@@ -49,6 +49,22 @@ TEST(SimulatedSessions, HaveARowForEveryItemOfEveryTrialThatCanBeReadAgain) {
   }
 }
 
+// As pages and servers write them: 0.666667 and not 0.66666666666666674.
+TEST(SimulatedSessions, HaveValuesOfSixDecimals) {
+  const Manifest manifest =
+      asked_study(8, "participants: 6, scales: [sad-happy], answer: {points: 7}");
+  const auto scales = response_scales_by_item(manifest);
+  std::size_t long_ones = 0;
+  for (const AnswerRow& row : simulated_sessions(manifest, plan_sessions(manifest), {})) {
+    EXPECT_LE(row.value.size(), std::string("-0.666667").size()) << row.value;
+    EXPECT_NEAR(
+        std::stod(row.value),
+        value_of_raw(scales.at(row.item), std::stod(row.value_raw), row.pole_left == "high"), 5e-7);
+    long_ones += row.value.size() > 4 ? 1 : 0;
+  }
+  EXPECT_GT(long_ones, 0u);
+}
+
 TEST(SimulatedSessions, FollowTheStatedTruth) {
   const Manifest manifest =
       asked_study(3, "participants: 400, scales: [sad-happy], answer: {slider: true}");
