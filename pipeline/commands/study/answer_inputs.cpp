@@ -1,6 +1,6 @@
 #include "pipeline/commands/study/answer_inputs.h"
 
-#include "motion/error.h"
+#include "pipeline/base/documents/fault.h"
 #include "pipeline/study/results/answer_files.h"
 
 namespace mien::pipeline {

@@ -158,7 +158,7 @@ TEST_F(ServedTraces, AreATableAndGoWhenAParticipantWithdraws) {
   EXPECT_EQ(nlohmann::json::parse(got("status.json")).at("has_traces"), true);
   const std::string table = got("traces.csv");
   EXPECT_EQ(std::ranges::count(table, '\n'), 33);
-  EXPECT_NE(table.find("p001,a1b2,7,walk-sad,calm-tense,3.1,75,0\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("p001,a1b2,7,walk-sad,calm-tense,3.05,75,0\n"), std::string::npos) << table;
   EXPECT_NE(got("answers.csv").find("," + trace(32) + ",75,high,"), std::string::npos);
   // Tables of traces are among those from which participants are deleted.
   const std::filesystem::path saved = folder_.path() / "traces.csv";
