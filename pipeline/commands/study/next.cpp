@@ -25,6 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A bound for memory and time, which grow with its square.
+constexpr int most_candidates = 2000;
+
 struct NextCommand {
   std::vector<std::string> files;  ///< answers, and the manifest
   std::string out;
@@ -124,6 +127,10 @@ int choose_next(const NextCommand& command, const Console& console) {
   const std::vector<Answers> rounds = answers_of(inputs.answers, manifest, console);
   const Repertoire repertoire = load_repertoire(manifest);
   const std::uint64_t seed = command.seed.value_or(manifest.seed);
+  if (repertoire.names.size() > most_candidates)
+    throw Error(fmt::format("the study has {} examples, and films are chosen among {} at most",
+                            repertoire.names.size(), most_candidates),
+                "name fewer examples");
   FilmChoice choice;
   choice.space = film_space(repertoire, command.features);
   choice.aim = aim_of(command);
@@ -168,7 +175,7 @@ Command study_next_command() {
                     "last one"),
            option("-o,--output", &options->out, "Manifest (YAML) of the next round to write")
                .required(),
-           option("--films", &options->films, "Number of films").between(1, 1000).with_default(),
+           option("--films", &options->films, "Number of films").between(1, 200).with_default(),
            option("--highest", &options->highest,
                   "Choose films that may be rated highest on this scale (default: films that tell "
                   "the most about all scales)"),
@@ -184,7 +191,7 @@ Command study_next_command() {
                .with_commas(),
            option("--candidates", &options->candidates,
                   "Number of blends of the examples among which films are chosen")
-               .between(10, 5000)
+               .between(10, most_candidates)
                .with_default(),
            option("--seed", &options->seed, "Seed of the blends; default: as in the manifest"),
            option("--study", &options->name,
