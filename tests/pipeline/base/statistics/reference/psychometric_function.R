@@ -22,7 +22,8 @@ expect <- function(name, ...) {
   expected[[length(expected) + 1]] <<-
     data.frame(name = name, quantity = names(values), value = as.numeric(values))
 }
-simulated <- function(level, n, p) data.frame(level = level, n = n, k = rbinom(length(level), n, p))
+simulated <- function(level, n, p)
+  data.frame(level = level, n = n, k = rbinom(length(level), n, p))
 
 # psyphy's cloglog link with m alternatives, and its others, by name. With guess 0: glm's own.
 links <- function(shape, m) {
@@ -30,7 +31,8 @@ links <- function(shape, m) {
   switch(shape, logistic = mafc.logit(m), normal = mafc.probit(m), weibull = mafc.cloglog(m))
 }
 fitted_by <- function(link, d, ...) suppressWarnings(
-  glm(cbind(k, n - k) ~ level, binomial(link), d, control = list(epsilon = 1e-15, maxit = 500), ...))
+  glm(cbind(k, n - k) ~ level, binomial(link), d,
+      control = list(epsilon = 1e-15, maxit = 500), ...))
 saturated <- function(d) sum(dbinom(d$k, d$n, d$k / d$n, log = TRUE))
 choose_sum <- function(d) sum(lchoose(d$n, d$k))
 numbers_of <- function(fit, d) {
@@ -39,7 +41,7 @@ numbers_of <- function(fit, d) {
     log_likelihood = saturated(d) - choose_sum(d) - deviance(fit) / 2)
 }
 
-# --- Fixed rates: glm, and psyphy for alternatives ------------------------------------------------
+# --- Fixed rates: glm, and psyphy for alternatives ----------------------------------------------
 
 shapes <- c("logistic", "normal", "weibull")
 f <- list(logistic = plogis, normal = pnorm, weibull = function(z) 1 - exp(-exp(z)))
@@ -53,8 +55,8 @@ for (shape in shapes) for (m in c(1, 2, 4)) {
   expect(name, guess = guess, numbers_of(fitted_by(links(shape, m), d), d))
 }
 
-# Letters by eccentricity (Yssaad-Fesselier and Knoblauch 2006), four alternatives, of psyphy: levels
-# are logarithms of the contrast.
+# Letters by eccentricity (Yssaad-Fesselier and Knoblauch 2006), four alternatives, of psyphy:
+# levels are logarithms of the contrast.
 data(ecc2)
 for (task in levels(ecc2$task)) for (size in unique(ecc2$Size)) {
   part <- ecc2[ecc2$task == task & ecc2$Size == size, ]
@@ -66,7 +68,7 @@ for (task in levels(ecc2$task)) for (size in unique(ecc2$Size)) {
          threshold = unname((log(-log(1 - (0.625 - 0.25) / 0.75)) - coef(fit)[1]) / coef(fit)[2]))
 }
 
-# --- An estimated lapse rate: the profile over psyphy's probit.lambda ------------------------------
+# --- An estimated lapse rate: the profile over psyphy's probit.lambda ----------------------------
 
 for (m in c(2, 3)) {
   name <- paste("lapse", m, sep = "/")
@@ -82,21 +84,23 @@ sample_of("no-lapse", d)
 expect("no-lapse", guess = 0.5, lapse = 0, numbers_of(fitted_by(probit.lambda(2, 0), d), d))
 d <- data.frame(level = 0:6, n = 50, k = c(26, 29, 36, 43, 45, 44, 45))
 sample_of("bounded-lapse", d)
-expect("bounded-lapse", guess = 0.5, lapse = 0.06, numbers_of(fitted_by(probit.lambda(2, 0.06), d), d))
+expect("bounded-lapse", guess = 0.5, lapse = 0.06,
+       numbers_of(fitted_by(probit.lambda(2, 0.06), d), d))
 
-# --- Both rates estimated: the profile over psyphy's logit.2asym -----------------------------------
+# --- Both rates estimated: the profile over psyphy's logit.2asym ---------------------------------
 
 level <- seq(-5, 5, length.out = 11)
 d <- simulated(level, 120, 0.12 + (1 - 0.12 - 0.04) * plogis((level - 0.3) / 0.7))
 sample_of("yes-no", d)
 profile <- function(p) deviance(fitted_by(logit.2asym(p[1], p[2]), d))
-best <- optim(c(0.1, 0.03), profile, method = "L-BFGS-B", lower = c(1e-4, 1e-4), upper = c(0.5, 0.06),
+best <- optim(c(0.1, 0.03), profile, method = "L-BFGS-B", lower = c(1e-4, 1e-4),
+              upper = c(0.5, 0.06),
               control = list(factr = 10, pgtol = 0, ndeps = c(1e-5, 1e-5)))$par
 best <- optim(best, profile, control = list(reltol = 1e-15, maxit = 5000))$par
 expect("yes-no", guess = best[1], lapse = best[2],
        numbers_of(fitted_by(logit.2asym(best[1], best[2]), d), d))
 
-# --- Written --------------------------------------------------------------------------------------
+# --- Written ------------------------------------------------------------------------------------
 
 long <- do.call(rbind, lapply(names(samples), function(name)
   data.frame(sample = name, value = samples[[name]])))
