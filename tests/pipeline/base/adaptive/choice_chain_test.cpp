@@ -107,9 +107,8 @@ TEST(AChoiceChain, GoesWhereItsAnswersTakeIt) {
 }
 
 /// The points of a chain that people move who choose by Luce's rule.
-std::vector<std::vector<double>> simulated_path(const ChoiceSettings& settings, int chain,
-                                                int steps, auto&& utility,
-                                                std::mt19937_64& random) {
+std::vector<std::vector<double>> choice_path(const ChoiceSettings& settings, int chain, int steps,
+                                             auto&& utility, std::mt19937_64& random) {
   const std::vector<double> start = random_start(settings.space, settings.seed, chain);
   std::vector<bool> answers;
   std::vector<double> point = start;
@@ -131,7 +130,7 @@ TEST(SimulatedChoices, HaveTheDensityAsStationaryDistributionWithDetailedBalance
   };
   const ChoiceSettings settings{.space = {{0.0, 1.0}}, .deviation = 0.3, .seed = 12};
   std::mt19937_64 random(3);
-  const auto path = simulated_path(
+  const auto path = choice_path(
       settings, 0, 60000,
       [&](const std::vector<double>& point) { return std::log(probability[quarter(point[0])]); },
       random);
@@ -161,7 +160,7 @@ TEST(SimulatedChoices, FindMeanAndCovarianceOfAKnownDensity) {
   std::mt19937_64 random(4);
   std::vector<std::vector<std::vector<double>>> paths;
   for (int chain = 0; chain < 8; ++chain)
-    paths.push_back(simulated_path(settings, chain, 4000, utility, random));
+    paths.push_back(choice_path(settings, chain, 4000, utility, random));
   const ChainValues x = chain_values(paths, 0, 1, 100);
   const ChainValues y = chain_values(paths, 1, 1, 100);
   EXPECT_LT(scale_reduction(x), 1.05);

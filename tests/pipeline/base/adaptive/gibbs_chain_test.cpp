@@ -146,7 +146,7 @@ class SimulatedPeople {
 using Path = std::vector<std::vector<double>>;
 
 /// A chain that people move through so many sweeps, answer by answer.
-Path simulated_path(const GibbsSettings& settings, int chain, int sweeps, std::mt19937_64& random) {
+Path gibbs_path(const GibbsSettings& settings, int chain, int sweeps, std::mt19937_64& random) {
   const SimulatedPeople people;
   const ChainSpace cube(3);
   const std::vector<double> start = random_start(cube, settings.seed, chain);
@@ -163,17 +163,17 @@ Path simulated_path(const GibbsSettings& settings, int chain, int sweeps, std::m
   return gibbs_chain(settings, chain, start, answers).path;
 }
 
-std::vector<Path> simulated_paths(const GibbsSettings& settings, int chains, int sweeps,
-                                  std::mt19937_64& random) {
+std::vector<Path> gibbs_paths(const GibbsSettings& settings, int chains, int sweeps,
+                              std::mt19937_64& random) {
   std::vector<Path> paths;
   for (int chain = 0; chain < chains; ++chain)
-    paths.push_back(simulated_path(settings, chain, sweeps, random));
+    paths.push_back(gibbs_path(settings, chain, sweeps, random));
   return paths;
 }
 
 TEST(SimulatedGibbsSampling, FindsMeanAndCovarianceOfAKnownDensity) {
   std::mt19937_64 random(5);
-  const auto paths = simulated_paths({.dimensions = 3, .seed = 9}, 8, 500, random);
+  const auto paths = gibbs_paths({.dimensions = 3, .seed = 9}, 8, 500, random);
   std::vector<ChainValues> values;
   Eigen::Vector3d mean;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -198,7 +198,7 @@ TEST(SimulatedGibbsSampling, FindsTheMeanInAShortStudy) {
   std::mt19937_64 random(6);
   for (const int people : {1, 5}) {
     const auto paths =
-        simulated_paths({.dimensions = 3, .people_per_step = people, .seed = 11}, 5, 20, random);
+        gibbs_paths({.dimensions = 3, .people_per_step = people, .seed = 11}, 5, 20, random);
     for (std::size_t i = 0; i < 3; ++i) {
       const ChainValues values = chain_values(paths, i, 3, 2);
       EXPECT_NEAR(chain_mean(values).mean, SimulatedPeople::mean()[static_cast<Eigen::Index>(i)],
@@ -217,12 +217,12 @@ TEST(SimulatedGibbsSampling, FindsTheMeanInAShortStudy) {
 }
 
 /// The share of 90 % intervals that hold the true mean, over studies of 5 chains of 20 sweeps.
-double coverage_of(int studies, std::uint64_t seed) {
+double mean_coverage_of(int studies, std::uint64_t seed) {
   int held = 0;
   for (int study = 0; study < studies; ++study) {
     const auto own_seed = seed + static_cast<std::uint64_t>(study);
     std::mt19937_64 random(own_seed);
-    const auto paths = simulated_paths({.dimensions = 3, .seed = own_seed}, 5, 20, random);
+    const auto paths = gibbs_paths({.dimensions = 3, .seed = own_seed}, 5, 20, random);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [low, high] = chain_mean(chain_values(paths, i, 3, 2), 0.9).ends;
       const double truth = SimulatedPeople::mean()[static_cast<Eigen::Index>(i)];
@@ -233,7 +233,7 @@ double coverage_of(int studies, std::uint64_t seed) {
 }
 
 TEST(IntervalsOfChains, HoldTheMeanAsOftenAsStated) {
-  const double coverage = coverage_of(200, 100);
+  const double coverage = mean_coverage_of(200, 100);
   RecordProperty("coverage", std::to_string(coverage));
   EXPECT_GE(coverage, 0.85);
   EXPECT_LE(coverage, 0.95);

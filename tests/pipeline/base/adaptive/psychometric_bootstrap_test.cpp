@@ -10,7 +10,7 @@ namespace mien::pipeline {
 namespace {
 
 /// Two-alternative trials of an observer with threshold (0.75) near 1.
-const PsychometricFunction observer = {Sigmoid::logistic, 1.0, 0.9, 0.5, 0.02};
+const PsychometricFunction true_observer = {Sigmoid::logistic, 1.0, 0.9, 0.5, 0.02};
 constexpr RateRange no_rate = {0.0, 0.0};
 
 std::vector<LevelCount> answers_of(const PsychometricFunction& truth,
@@ -30,7 +30,7 @@ std::vector<LevelCount> answers_of(const PsychometricFunction& truth,
 const std::vector<double> six_levels = {-1.5, 0.0, 0.8, 1.6, 2.5, 4.0};
 
 TEST(PsychometricBootstrap, DependsOnTheSeedOnly) {
-  const auto counts = answers_of(observer, six_levels, 40, 1);
+  const auto counts = answers_of(true_observer, six_levels, 40, 1);
   const PsychometricFit fit = psychometric_fit(counts, {});
   const BootstrapRequest request{0.75, 0.9, 99};
   const auto first = psychometric_bootstrap(fit, counts, {}, request, 1);
@@ -73,7 +73,7 @@ TEST(PsychometricBootstrap, HasTheSpreadOfTheInformationIfThereAreManyTrials) {
 }
 
 TEST(PsychometricBootstrap, HasWiderIntervalsForMoreConfidence) {
-  const auto counts = answers_of(observer, six_levels, 40, 1);
+  const auto counts = answers_of(true_observer, six_levels, 40, 1);
   const PsychometricFit fit = psychometric_fit(counts, {});
   const auto wide = psychometric_bootstrap(fit, counts, {}, {0.75, 0.95, 199}, 1);
   const auto narrow = psychometric_bootstrap(fit, counts, {}, {0.75, 0.5, 199}, 1);
@@ -120,13 +120,13 @@ struct Coverage {
 
 Coverage coverage_of(const PsychometricModel& model, int trials, int studies, int resamples) {
   Coverage found;
-  const double threshold = level_at(observer, 0.75);
-  const double slope = slope_at(observer, threshold);
+  const double threshold = level_at(true_observer, 0.75);
+  const double slope = slope_at(true_observer, threshold);
   const auto holds = [](const IntervalEnds& ends, double value) {
     return !(value < ends.low) && !(value > ends.high);  // an unknown end excludes nothing
   };
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(studies); ++i) {
-    const auto counts = answers_of(observer, six_levels, trials, 1000 + i);
+    const auto counts = answers_of(true_observer, six_levels, trials, 1000 + i);
     const PsychometricFit fit = psychometric_fit(counts, model);
     if (fit.problem != FitProblem::none) continue;
     const auto intervals = psychometric_bootstrap(fit, counts, model, {0.75, 0.9, resamples}, i);

@@ -13,7 +13,7 @@
 namespace mien::pipeline {
 namespace {
 
-constexpr RateRange no_rate = {0.0, 0.0};
+constexpr RateRange zero_rate = {0.0, 0.0};
 
 /// Answers of reference/psychometric_function.R.
 std::vector<LevelCount> reference_counts(const std::string& name) {
@@ -49,7 +49,7 @@ TEST(APsychometricFit, WithFixedRatesIsThatOfGlmAndPsyphy) {
       test::Expected expected = reference_fit(both);
       const double guess = expected.at("guess");
       expect_fit(expected,
-                 psychometric_fit(reference_counts(both), {sigmoid, {guess, guess}, no_rate}),
+                 psychometric_fit(reference_counts(both), {sigmoid, {guess, guess}, zero_rate}),
                  1e-6);
     }
   }
@@ -62,7 +62,7 @@ TEST(APsychometricFit, OfPublishedLettersIsThatOfPsyphy) {
       test::Expected expected = reference_fit(name);
       const double guess = expected.at("guess");
       const PsychometricFit fit =
-          psychometric_fit(reference_counts(name), {Sigmoid::weibull, {guess, guess}, no_rate});
+          psychometric_fit(reference_counts(name), {Sigmoid::weibull, {guess, guess}, zero_rate});
       expect_fit(expected, fit, 1e-6);
       expected.is("threshold", level_at(fit.function, 0.625), 1e-6);
     }
@@ -90,13 +90,13 @@ TEST(APsychometricFit, OfYesNoTrialsHasBothRates) {
   expected.is("lapse", fit.function.lapse, 1e-6);
 }
 
-const std::vector<LevelCount> six_levels = {{0.0, 40, 21}, {1.0, 40, 22}, {2.0, 40, 27},
-                                            {3.0, 40, 33}, {4.0, 40, 38}, {5.0, 40, 39}};
+const std::vector<LevelCount> rising_counts = {{0.0, 40, 21}, {1.0, 40, 22}, {2.0, 40, 27},
+                                               {3.0, 40, 33}, {4.0, 40, 38}, {5.0, 40, 39}};
 
 TEST(APsychometricFit, FollowsUnitAndOriginOfTheLevels) {
   const PsychometricModel model;
-  const PsychometricFit fit = psychometric_fit(six_levels, model);
-  std::vector<LevelCount> others = six_levels;
+  const PsychometricFit fit = psychometric_fit(rising_counts, model);
+  std::vector<LevelCount> others = rising_counts;
   for (LevelCount& count : others) count.level = 1000.0 - 0.01 * count.level;
   for (LevelCount& count : others) count.level = 500.0 - count.level;
   const PsychometricFit other = psychometric_fit(others, model);
@@ -107,9 +107,9 @@ TEST(APsychometricFit, FollowsUnitAndOriginOfTheLevels) {
 }
 
 TEST(APsychometricFit, DoesNotDependOnHowCountsAreGrouped) {
-  const PsychometricFit fit = psychometric_fit(six_levels, {});
+  const PsychometricFit fit = psychometric_fit(rising_counts, {});
   std::vector<LevelCount> parts;
-  for (const LevelCount& count : six_levels) {
+  for (const LevelCount& count : rising_counts) {
     parts.push_back({count.level, 30, count.positive - 10});
     parts.insert(parts.begin(), {count.level, 10, 10});
     parts.push_back({count.level + 0.5, 0, 0});
@@ -161,7 +161,7 @@ TEST(APsychometricFit, SaysWhyAnswersDoNotDetermineIt) {
   EXPECT_EQ(problem_of({{0.0, 9, 9}, {1.0, 8, 8}, {2.0, 7, 7}}), FitProblem::all_positive);
   const std::vector<LevelCount> two = {{0.0, 10, 5}, {1.0, 10, 8}};
   EXPECT_EQ(problem_of(two), FitProblem::too_few_levels);
-  EXPECT_EQ(problem_of(two, {Sigmoid::logistic, no_rate, no_rate}), FitProblem::none);
+  EXPECT_EQ(problem_of(two, {Sigmoid::logistic, zero_rate, zero_rate}), FitProblem::none);
   EXPECT_EQ(problem_of({{0.0, 10, 9}, {1.0, 10, 7}, {2.0, 10, 5}, {3.0, 10, 6}}),
             FitProblem::not_rising);
   // Below chance: rising, but a constant 0.5 is nearest.
@@ -173,7 +173,7 @@ TEST(APsychometricFit, SaysWhyAnswersDoNotDetermineIt) {
 
 TEST(APsychometricFit, SaysWhereAStepLies) {
   for (const auto& [name, sigmoid] : named_sigmoids) {
-    const PsychometricModel model{sigmoid, no_rate, no_rate};
+    const PsychometricModel model{sigmoid, zero_rate, zero_rate};
     // Complete separation, and separation but for one level.
     const PsychometricFit between =
         psychometric_fit({{0.0, 9, 0}, {1.0, 9, 0}, {2.5, 9, 9}, {3.0, 9, 9}}, model);
@@ -195,7 +195,7 @@ TEST(APsychometricFit, SaysWhereAStepLies) {
 
 TEST(APsychometricFit, OfAStepOrAConstantHasTheDevianceOfThatLimit) {
   // A step at 1: chance below and no lapse above.
-  const PsychometricModel model{Sigmoid::logistic, {0.5, 0.5}, no_rate};
+  const PsychometricModel model{Sigmoid::logistic, {0.5, 0.5}, zero_rate};
   const PsychometricFit step =
       psychometric_fit({{0.0, 20, 9}, {1.0, 20, 20}, {2.0, 20, 20}}, model);
   EXPECT_EQ(step.problem, FitProblem::step);
@@ -210,7 +210,7 @@ TEST(APsychometricFit, HasNoStepThatGoesDownBeforeItRises) {
   // A step at level 1, from 0.4 below it to 0.1 at it, would fit exactly.
   const PsychometricFit fit =
       psychometric_fit({{0.0, 30, 12}, {1.0, 30, 3}, {2.0, 30, 30}, {3.0, 30, 30}},
-                       {Sigmoid::logistic, {0.0, 0.5}, no_rate});
+                       {Sigmoid::logistic, {0.0, 0.5}, zero_rate});
   EXPECT_EQ(fit.problem, FitProblem::step);
   EXPECT_EQ(fit.step.low, 1.0);
   EXPECT_EQ(fit.step.high, 2.0);
