@@ -1,4 +1,5 @@
-// What R says of the same numbers: reference/reference.R.
+// What R says of the same numbers: reference/reference.R, and other scripts with tables of their
+// own.
 
 #pragma once
 
@@ -25,8 +26,16 @@ inline double value_in(const CsvTable& table, const CsvField& field) {
   return field.text == "NA" ? std::nan("") : number_in(table, field);
 }
 
-inline std::vector<double> sample(const std::string& name) {
-  static const CsvTable table = read_csv(reference_folder() / "samples.csv");
+inline const CsvTable& reference_table(const std::string& file) {
+  static std::map<std::string, CsvTable> tables;
+  const auto found = tables.find(file);
+  if (found != tables.end()) return found->second;
+  return tables.emplace(file, read_csv(reference_folder() / file)).first->second;
+}
+
+inline std::vector<double> sample(const std::string& name,
+                                  const std::string& file = "samples.csv") {
+  const CsvTable& table = reference_table(file);
   std::vector<double> values;
   for (const auto& row : table.rows)
     if (row[0].text == name) values.push_back(value_in(table, row[1]));
@@ -37,8 +46,9 @@ inline std::vector<double> sample(const std::string& name) {
 /// What R says about something, under its names; all of them must be looked at.
 class Expected {
  public:
-  explicit Expected(const std::string& name) : name_(name) {
-    static const CsvTable table = read_csv(reference_folder() / "expected.csv");
+  explicit Expected(const std::string& name, const std::string& file = "expected.csv")
+      : name_(name) {
+    const CsvTable& table = reference_table(file);
     for (const auto& row : table.rows)
       if (row[0].text == name) values_[row[1].text].push_back(value_in(table, row[2]));
     EXPECT_FALSE(values_.empty()) << name;

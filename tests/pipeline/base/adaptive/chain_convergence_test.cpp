@@ -1,0 +1,84 @@
+#include "pipeline/base/adaptive/chain_convergence.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/base/statistics/named_random.h"
+
+namespace mien::pipeline {
+namespace {
+
+TEST(ScaleReduction, IsThatComputedByHand) {
+  // Means 2 and 4, variances 1 and 4: W = 2.5, B/n = 2, so that R̂² = (2/3·2.5 + 2)/2.5.
+  EXPECT_DOUBLE_EQ(scale_reduction({{1, 2, 3}, {2, 4, 6}}),
+                   std::sqrt((2.0 / 3.0 * 2.5 + 2.0) / 2.5));
+  // Equal means: √(3/4).
+  EXPECT_DOUBLE_EQ(scale_reduction({{1, 2, 3, 2}, {3, 1, 2, 2}, {2, 2, 1, 3}}), std::sqrt(0.75));
+}
+
+TEST(ScaleReduction, NeedsTwoChainsAndValues) {
+  EXPECT_TRUE(std::isnan(scale_reduction({})));
+  EXPECT_TRUE(std::isnan(scale_reduction({{1, 2, 3}})));
+  EXPECT_TRUE(std::isnan(scale_reduction({{1}, {2}})));
+  EXPECT_TRUE(std::isnan(scale_reduction({{1, 1}, {1, 1}})));
+  EXPECT_TRUE(std::isinf(scale_reduction({{1, 1}, {2, 2}})));
+}
+
+/// Chains x' = ρ x + √(1 − ρ²) ε, with standard normal values around a level of each chain.
+ChainValues correlated_chains(std::size_t chains, std::size_t length, double correlation,
+                              double apart) {
+  ChainValues result(chains);
+  for (std::size_t chain = 0; chain < chains; ++chain) {
+    const std::uint64_t stream = 1000 + chain;
+    double x = normal_number(stream, 0);
+    for (std::size_t i = 0; i < length; ++i) {
+      result[chain].push_back(x + apart * static_cast<double>(chain));
+      x = correlation * x +
+          std::sqrt(1.0 - correlation * correlation) * normal_number(stream, i + 1);
+    }
+  }
+  return result;
+}
+
+TEST(ScaleReduction, IsNearOneForMixedChainsAndLargeForOnesApart) {
+  EXPECT_NEAR(scale_reduction(correlated_chains(5, 200, 0.0, 0.0)), 1.0, 0.01);
+  EXPECT_LT(scale_reduction(correlated_chains(5, 40, 0.3, 0.0)), 1.1);
+  EXPECT_GT(scale_reduction(correlated_chains(5, 200, 0.0, 0.5)), 1.1);
+  EXPECT_GT(scale_reduction(correlated_chains(5, 200, 0.0, 5.0)), 5.0);
+}
+
+TEST(EffectiveSampleSize, IsThatOfAutocorrelation) {
+  EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.0, 0.0)), 16000.0, 1600.0);
+  // (1 − ρ)/(1 + ρ) of all values.
+  EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.5, 0.0)), 16000.0 / 3.0, 700.0);
+  EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.8, 0.0)), 16000.0 / 9.0, 300.0);
+  // Chains that are apart tell little about what they have in common.
+  EXPECT_LT(effective_sample_size(correlated_chains(8, 200, 0.0, 3.0)), 20.0);
+  EXPECT_TRUE(std::isnan(effective_sample_size({{1, 1}, {2, 2}})));
+  EXPECT_TRUE(std::isnan(effective_sample_size({{1, 2, 3}})));
+}
+
+TEST(ChainMean, HasTheIntervalOfTheMeansOfChains) {
+  // Means 1, 2 and 6: their mean 3, standard deviation √7; t(2) = 2.919986 for 90 %.
+  const ChainMean found = chain_mean({{0, 2}, {1, 3}, {6, 6}}, 0.9);
+  EXPECT_DOUBLE_EQ(found.mean, 3.0);
+  EXPECT_NEAR(found.ends.low, 3.0 - 2.919985580 * std::sqrt(7.0 / 3.0), 1e-8);
+  EXPECT_NEAR(found.ends.high, 3.0 + 2.919985580 * std::sqrt(7.0 / 3.0), 1e-8);
+  EXPECT_EQ(chain_mean({{0, 2}}).mean, 1.0);
+  EXPECT_TRUE(std::isnan(chain_mean({{0, 2}}).ends.low));
+}
+
+TEST(ChainValuesOfADimension, AreThoseAfterSweepsThatAreKept) {
+  // Two steps in a sweep; the fourth sweep of the first chain is incomplete.
+  const std::vector<std::vector<std::vector<double>>> paths = {
+      {{0, 11}, {0, 21}, {0, 31}, {0, 41}, {0, 51}, {0, 61}, {0, 71}},
+      {{1, 10}, {2, 20}, {3, 30}, {4, 40}, {5, 50}, {6, 60}, {7, 70}, {8, 80}}};
+  EXPECT_EQ(chain_values(paths, 1, 2, 0), (ChainValues{{21, 41, 61}, {20, 40, 60}}));
+  EXPECT_EQ(chain_values(paths, 0, 2, 1), (ChainValues{{0, 0}, {4, 6}}));
+  EXPECT_EQ(chain_values(paths, 0, 2, 3), (ChainValues{{}, {}}));
+}
+
+}  // namespace
+}  // namespace mien::pipeline
