@@ -270,7 +270,7 @@ TEST(NextFilms, AreApartFromEachOtherAndFromRatedOnes) {
                                  .sqrt()
                                  .matrix();
   const RatedFilms films = rated_films(candidates, {0, 1, 2, 3}, 10, 4);
-  for (const std::string& scale : {"", "sad-happy"}) {
+  for (const char* scale : {"", "sad-happy"}) {
     const NextFilms next = next_films(
         candidates, {films}, {.films = 8, .aim = {scale, true}, .answers = 10, .apart = 0.5});
     ASSERT_EQ(next.films.size(), 8u);
