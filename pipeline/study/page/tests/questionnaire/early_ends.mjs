@@ -82,9 +82,10 @@ const newRun = async (page, url) => {
   return readAt(page, url);
 };
 
-/** The page's own file among the downloads. */
-async function saved(page, press) {
-  const [download] = await Promise.all([page.waitForEvent("download"), press()]);
+/** The file whose name has this part: the page may still be saving others. */
+async function saved(page, name, press) {
+  const isIt = (download) => download.suggestedFilename().includes(name);
+  const [download] = await Promise.all([page.waitForEvent("download", isIt), press()]);
   return readFileSync(await download.path(), "utf8");
 }
 
@@ -104,14 +105,14 @@ async function sharedBrowser() {
   await take(page);
   told.end = await text(page);
   told.end_buttons = await page.locator(".page .button").allTextContents();
-  told.saved_again = await saved(page, () => page.locator(".buttons.column .button").click());
+  told.saved_again = await saved(page, "answers_data", () => page.locator(".buttons.column .button").click());
   told.end_again = await readAt(page, linkOf("5f02"));
   // A link that names nobody; the plan may be chosen.
   told.nameless = await screenedOut(opened, place.address);
   await readAt(page, `${place.address}?participant=p003`);
   told.is_plan_asked = await asksConsent(page);
   told.experimenter = await readAt(page, `${place.address}?experimenter`);
-  told.list = await saved(page, () => page.getByText("Save this list").click());
+  told.list = await saved(page, "ended-early", () => page.getByText("Save this list").click());
   await page.getByText("Start for the next participant").click();
   await page.waitForURL(place.address);
   await page.waitForSelector(".page h1");
