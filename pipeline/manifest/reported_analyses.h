@@ -15,8 +15,8 @@ enum class ReportTense {
 /// What the report of a study with this questionnaire computes without being asked to, in sentences
 /// without their full stops: of continuous trials, mean traces, changes between moods and
 /// agreement; of ratings, the analysis of variance by the factors of the stimuli, unless the
-/// analysis plan states one, and the comparisons of all pairs of levels; of all trials, what becomes
-/// of incomplete answers. The manifest must have a questionnaire.
+/// analysis plan states one, and the comparisons of all pairs of levels; of all trials, what
+/// becomes of incomplete answers. The manifest must have a questionnaire.
 std::vector<std::string> reported_analyses(const Manifest& manifest, ReportTense tense);
 
 }  // namespace mien::pipeline

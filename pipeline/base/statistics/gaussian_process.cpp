@@ -233,9 +233,9 @@ JointPrediction jointly_predicted(const GaussianProcess& process, const MatrixXd
   for (std::size_t f = 0; f < process.families.size(); ++f) {
     const auto& columns = process.families[f];
     const double amplitude = p.log_amplitude[static_cast<Index>(f)];
-    shared += family_covariance(
-        squared_distances(process.observations.predictors, predictors, columns), amplitude,
-        p.log_length);
+    shared +=
+        family_covariance(squared_distances(process.observations.predictors, predictors, columns),
+                          amplitude, p.log_length);
     covariance += family_covariance(squared_distances(predictors, predictors, columns), amplitude,
                                     p.log_length);
   }

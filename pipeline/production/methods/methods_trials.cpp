@@ -311,8 +311,8 @@ void describe_further_trials(MethodsText& out) {
   const std::string opening =
       scales > 1 ? fmt::format("With each of the {} scales there {} in addition", scales, were)
                  : fmt::format("In addition there {}", were);
-  out.say(fmt::format("{} {}, which {} not analysed with the others", opening, listed(further),
-                      were));
+  out.say(
+      fmt::format("{} {}, which {} not analysed with the others", opening, listed(further), were));
 }
 
 void describe_order(MethodsText& out) {

@@ -135,10 +135,11 @@ std::map<std::string, std::string> repeated_participants(const std::vector<Sessi
         own, [](const Participation& one) { return one.consented_at.empty(); });
     if (by_time) std::ranges::stable_sort(own, {}, &Participation::consented_at);
     for (std::size_t i = 1; i < own.size(); ++i)
-      repeated.emplace(own[i].participant,
-                       fmt::format("participation number {} of a person who first took part as {} ({})",
-                                   i + 1, own.front().participant,
-                                   by_time ? "by time of consent" : "by order in the files"));
+      repeated.emplace(
+          own[i].participant,
+          fmt::format("participation number {} of a person who first took part as {} ({})", i + 1,
+                      own.front().participant,
+                      by_time ? "by time of consent" : "by order in the files"));
   }
   return repeated;
 }

@@ -165,7 +165,7 @@ std::string factor_section_html(const Results& results, const std::string& figur
   html += html_list("", crossing_sentences(results.answer_set, results.effects.crossing));
   html += left_out_html(results) + effects + figures +
           closed_table("Means of all cells", cells_table(results));
-  if (!planned.empty() || !pairs.empty()) 
+  if (!planned.empty() || !pairs.empty())
     html += html_paragraph(contrast_method_text(results, !planned.empty()));
   if (!planned.empty()) html += "<h3>Planned contrasts</h3>\n" + planned;
   return html + closed_table("All pairs of levels", pairs);

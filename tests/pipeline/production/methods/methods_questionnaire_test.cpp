@@ -264,9 +264,9 @@ TEST_F(MethodsQuestionnaire, CountsTrialsThatAreNotAnalysedOnEachScaleInTurn) {
   const std::string fixed = methods_of_asked(members + ", order: fixed");
   expect_said(fixed, "Scales and trials had the same order for all participants.");
   EXPECT_EQ(fixed.find("rotated"), std::string::npos) << fixed;
-  EXPECT_EQ(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous")
-                .find("rotated"),
-            std::string::npos);
+  EXPECT_EQ(
+      methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous").find("rotated"),
+      std::string::npos);
 }
 
 TEST_F(MethodsQuestionnaire, CountsPractisedPairsAndSetsOnce) {
@@ -288,7 +288,8 @@ TEST_F(MethodsQuestionnaire, SaysWhatBecomesOfIncompleteAnswers) {
   const std::string planned =
       methods_of_asked("participants: 4, scales: [slow-fast], analysis: {factors: [mood]}");
   expect_said(planned, "were left out of the analysis of variance of that scale.");
-  const std::string choices = methods_of_asked("participants: 4, scales: [slow-fast], trials: pair");
+  const std::string choices =
+      methods_of_asked("participants: 4, scales: [slow-fast], trials: pair");
   expect_said(choices, "What participants answered who did not finish was included.");
   EXPECT_EQ(choices.find("analysis of variance"), std::string::npos) << choices;
 }

@@ -162,7 +162,8 @@ TEST(SessionPlan, OfPairsPutsEachStimulusLeftForHalfOfTheParticipants) {
 TEST(SessionPlan, OfPairsSaysWhereOrWhenTheFirstOfThemIsShown) {
   const auto sentences = [](int participants, const std::string& more) {
     const Manifest manifest = asked_study(
-        2, fmt::format("participants: {}, scales: [sad-happy], trials: pair{}", participants, more));
+        2,
+        fmt::format("participants: {}, scales: [sad-happy], trials: pair{}", participants, more));
     const auto said =
         balance_sentences(manifest, balance_of(manifest, plan_sessions(manifest)), participants);
     return fmt::format("{}", fmt::join(said, "\n"));

@@ -76,8 +76,8 @@ TEST(RepeatedParticipation, OfAllButTheFirstIsCounted) {
   const Repeated found = repeated(
       rows, people_by("participant,session,url_PID\np001,a,X\np002,b,X\np003,c,X\np004,d,\n"));
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_TRUE(
-      found.at("p003").starts_with("participation number 3 of a person who first took part as p001"));
+  EXPECT_TRUE(found.at("p003").starts_with(
+      "participation number 3 of a person who first took part as p001"));
 }
 
 TEST(RepeatedParticipation, IsNotOfEmptyValues) {
