@@ -89,9 +89,8 @@ std::vector<std::string> reported_analyses(const Manifest& manifest, ReportTense
   if (has_ratings)
     add_factors(manifest, is_past ? "were" : "are",
                 form.is_continuous ? "The means of trials" : "Ratings", sentences);
-  sentences.push_back(fmt::format("What participants answer{0} who {1} not finish {2} included",
-                                  is_past ? "ed" : "", is_past ? "did" : "do",
-                                  is_past ? "was" : "is"));
+  sentences.push_back(fmt::format("The answers of participants who {} not finish {} included",
+                                  is_past ? "did" : "do", is_past ? "were" : "are"));
   return sentences;
 }
 

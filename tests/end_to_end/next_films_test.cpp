@@ -63,11 +63,28 @@ TEST_F(NextRound, FollowsFromTheAnswersOfAllRoundsBefore) {
   EXPECT_EQ(run_mien({"check", third}).code, 0);
   const std::string listed = text_of(tables / "next_films.csv");
   EXPECT_EQ(std::count(listed.begin(), listed.end(), '\n'), 1 + 2 * 2) << listed;
+  const std::string codebook = text_of(tables / "codebook.csv");
+  for (const char* table : {"next_films.csv,", "known_films.csv,"})
+    EXPECT_NE(codebook.find(table), std::string::npos) << codebook;
   EXPECT_NE(text_of(tables / "known_films.csv").find("normal 1,sad-happy,"), std::string::npos);
   // Again: the same bytes, over the same file.
   EXPECT_EQ(
       next({second, answers, more, "-o", third, "--films", "2", "--highest", "sad-happy"}).code, 0);
   EXPECT_EQ(text_of(third), text);
+}
+
+TEST_F(NextRound, CountsAnswersOnceAndTheScaleOfTheAimAlways) {
+  const Ended once = next({answers, first, "-o", second});
+  ASSERT_EQ(once.code, 0) << once.errors;
+  const std::string copy = folder.write("copy.csv", text_of(answers)).string();
+  const Ended twice = next({answers, copy, first, "-o", second});
+  EXPECT_EQ(twice.code, 0) << twice.errors;  // the same manifest, over the file
+  EXPECT_NE(twice.errors.find("copy.csv has the same content as "), std::string::npos)
+      << twice.errors;
+  const Ended aimed =
+      next({answers, first, "-o", third, "--scales", "slow-fast", "--lowest", "sad-happy"});
+  ASSERT_EQ(aimed.code, 0) << aimed.errors;
+  EXPECT_NE(aimed.output.find("that may be rated lowest on sad-happy"), std::string::npos);
 }
 
 TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {

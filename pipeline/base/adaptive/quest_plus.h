@@ -10,9 +10,8 @@
 
 namespace mien::pipeline {
 
-/// The values that a parameter may have, and their prior probabilities, which need not have a sum
-/// of
-/// 1. Without these all are equal.
+/// The values that a parameter may have, and their prior probabilities, which need not sum to 1.
+/// Without these all are equal.
 struct QuestAxis {
   std::vector<double> values;
   std::vector<double> prior = {};

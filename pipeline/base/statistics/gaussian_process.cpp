@@ -188,6 +188,23 @@ VectorXd most_probable(const Problem& problem, const Prior& prior) {
 
 }  // namespace
 
+MatrixXd Standardisation::of(const MatrixXd& predictors) const {
+  MatrixXd z = predictors.rowwise() - mean;
+  for (Index k = 0; k < z.cols(); ++k) z.col(k) *= spread[k] > 0.0 ? 1.0 / spread[k] : 0.0;
+  return z;
+}
+
+Standardisation standardisation_of(const MatrixXd& predictors) {
+  Standardisation result;
+  result.mean = predictors.colwise().mean();
+  result.spread = ((predictors.rowwise() - result.mean).array().square().colwise().sum() /
+                   static_cast<double>(predictors.rows()))
+                      .sqrt();
+  for (Index k = 0; k < predictors.cols(); ++k)
+    if (result.spread[k] < 1e-9 * (1.0 + std::abs(result.mean[k]))) result.spread[k] = 0.0;
+  return result;
+}
+
 double log_likelihood(const Families& families, const GroupedObservations& observations,
                       const ProcessParameters& parameters) {
   return likelihood(problem_of(families, observations), vector_of(parameters)).value;

@@ -7,6 +7,18 @@
 
 namespace mien::pipeline {
 
+/// Mean and standard deviation of each predictor (divided by the number of rows), by which
+/// predictors get equal spreads.
+struct Standardisation {
+  Eigen::RowVectorXd mean;
+  Eigen::RowVectorXd spread;  ///< 0: constant to within rounding
+
+  /// The predictors minus their mean, divided by the spread; 0 where that is 0.
+  Eigen::MatrixXd of(const Eigen::MatrixXd& predictors) const;
+};
+
+Standardisation standardisation_of(const Eigen::MatrixXd& predictors);
+
 /// Observations of a value at places given by predictors. All members have one entry or row per
 /// observation.
 struct GroupedObservations {

@@ -12,6 +12,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/study/frozen_archive.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/planned_tests.h"
@@ -19,77 +20,21 @@
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
-#include "pipeline/production/archive/scratch_folder.h"
 #include "pipeline/production/archive/zip_archive.h"
-#include "pipeline/production/methods/methods.h"
 #include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/power/power_output.h"
 #include "pipeline/study/questionnaire/balance.h"
-#include "pipeline/study/questionnaire/frozen_design.h"
 #include "pipeline/study/questionnaire/power.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/session_plan.h"
-#include "pipeline/study/questionnaire/simulated_people.h"
-#include "pipeline/study/results/report/results_report.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// An archive for a preregistration, in memory.
-struct FrozenArchive {
-  std::filesystem::path file;
-  std::string bytes;
-  std::size_t files = 0;
-};
-
-/// Adds the report of mien study report for answers without any effect.
-void add_dummy_report(ZipFiles& files, const Manifest& manifest,
-                      const std::vector<SessionPlan>& plans) {
-  const ScratchFolder folder;
-  const std::vector<AnswerRow> rows = dummy_answers(manifest, plans);
-  ParticipantTable people;
-  if (asks_about_participants(manifest))
-    people = {parse_csv(simulated_people_csv(manifest, plans), "participants.csv")};
-  ReportChoices choices;
-  choices.finished = people.finished();
-  const Results results = results_of(collect_answers(manifest, rows, choices), rows, people);
-  write_results(results, rows, {}, folder.path());
-  const fs::path about = folder.path() / "README.md";
-  write_file(about, read_file(about) + "\n" + dummy_assumptions(manifest));
-  add_folder(files, folder.path(), "dummy-report");
-}
-
-/// Builds the preregistration archive of a study in the folder `made`, with the files on `power`,
-/// simulated answers and the report on them. Throws Error if its media are missing, or if `file`
-/// exists with other bytes, so that a registered archive is not overwritten. Writes nothing to
-/// disk.
-FrozenArchive frozen_archive(const Manifest& manifest, const std::vector<SessionPlan>& plans,
-                             const ZipFiles& power, const fs::path& made, const fs::path& file) {
-  ZipFiles files = frozen_design(manifest, plans, made);
-  files.insert(power.begin(), power.end());
-  const Methods procedure = procedure_of(manifest);
-  files["procedure.md"] =
-      "*The sections of the methods as they will be stated after the study, if it is run as "
-      "planned; hence the past tense.*\n\n" +
-      procedure.markdown;
-  files["references.bib"] = procedure.bibtex;
-  add_dummy_answers(files, manifest, plans);
-  add_dummy_report(files, manifest, plans);
-  FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
-  if (fs::exists(fs::symlink_status(file)) && read_file(file) != archive.bytes)
-    throw Error({file.string()}, "exists already, but holds something else",
-                "name another file, or remove it");
-  return archive;
-}
-
-/// Writes the archive atomically.
-void write_archive(const FrozenArchive& archive) {
-  replace_file(archive.file, archive.file.string() + ".part", archive.bytes);
-}
 
 struct DesignCommand {
   std::string manifest;
@@ -250,18 +195,6 @@ void print_design(const Manifest& manifest, const std::vector<SessionPlan>& plan
   print_duration(plans, console, out);
 }
 
-void warn_of_no_plan(const Manifest& manifest, const Console& console) {
-  if (questionnaire_of(manifest).analysis.plan.text.empty())
-    console.err << "warning: the manifest has no analysis plan, which a preregistration requires; "
-                   "write it in questionnaire.analysis.plan\n";
-}
-
-/// Whether the manifest tells how to get paid without having taken part.
-bool names_codes(const Manifest& manifest) {
-  const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
-  return recruitment.prolific != SessionEndTexts{} || recruitment.redirect != SessionEndTexts{};
-}
-
 /// Input files of the tables and the archive, which must not be overwritten.
 std::vector<fs::path> files_of_design(const DesignCommand& command, const Manifest& manifest) {
   std::vector<fs::path> files = {fs::path(command.ratings), fs::path(command.planned.truth)};
@@ -311,17 +244,7 @@ int design(const DesignCommand& command, const Console& console) {
   print_warnings(questionnaire_warnings(manifest), console);
   out << power.str();
   if (archive) {
-    warn_of_no_plan(manifest, console);
-    if (manifest.output.quality == Quality::draft)
-      console.err << "note: the archive states that the videos are of draft quality; set "
-                     "output.quality of the manifest to the quality that participants will see\n";
-    if (names_codes(manifest))
-      console.err << "note: the archive contains the manifest with its completion codes and "
-                     "redirects; do not publish it before data collection is over\n";
-    if (!command.power)
-      console.err
-          << "note: the archive states no power analysis; --power, with --planned-tests for "
-             "the tests of the analysis plan, adds one\n";
+    remark_on_archive(manifest, command.power, console);
     write_archive(*archive);
     out << command.frozen << ": " << archive->files << " files\n";
   }

@@ -59,4 +59,10 @@ void refuse_data_loss(const std::vector<NewTable>& tables, const std::vector<fs:
   }
 }
 
+void refuse_other_content(const fs::path& file, const std::string& bytes) {
+  if (fs::exists(fs::symlink_status(file)) && read_file(file) != bytes)
+    throw Error({file.string()}, "exists already, but holds something else",
+                "name another file, or remove it");
+}
+
 }  // namespace mien::pipeline

@@ -21,4 +21,8 @@ void refuse_data_loss(const std::vector<NewTable>& tables,
                       const std::vector<std::filesystem::path>& read,
                       const std::filesystem::path& archive = {});
 
+/// Throws Error if a file exists with other bytes, so that a registered archive or an edited
+/// manifest is not overwritten.
+void refuse_other_content(const std::filesystem::path& file, const std::string& bytes);
+
 }  // namespace mien::pipeline

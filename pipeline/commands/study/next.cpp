@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/commands/study/answer_inputs.h"
+#include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
@@ -54,13 +56,25 @@ std::vector<std::string> asked_scales(const NextCommand& command, const Manifest
       if (!scale.empty() && std::ranges::find(asked, scale) == asked.end())
         throw Error(fmt::format("the questionnaire has no scale {}", motion::in_quotes(scale)),
                     fmt::format("name one of {}", fmt::join(asked, ", ")));
-  return command.scales.empty() ? asked : command.scales;
+  if (command.scales.empty()) return asked;
+  std::vector<std::string> wanted = command.scales;
+  const std::string aim = aim_of(command).scale;
+  if (!aim.empty() && std::ranges::find(wanted, aim) == wanted.end()) wanted.push_back(aim);
+  return wanted;
 }
 
+/// Reads a file that is given twice, or was saved twice, once.
 std::vector<Answers> answers_of(const std::vector<fs::path>& files, const Manifest& manifest,
                                 const Console& console) {
   std::vector<Answers> rounds;
+  std::map<std::string, fs::path> known;
   for (const fs::path& file : files) {
+    const auto [same, is_new] = known.emplace(read_file(file), file);
+    if (!is_new) {
+      console.err << fmt::format("note: {} has the same content as {} and was left out\n",
+                                 file.string(), same->second.string());
+      continue;
+    }
     rounds.push_back(read_answers(file, questionnaire_scales(manifest)));
     for (const std::string& warning : rounds.back().warnings)
       console.err << "warning: " << file.string() << ": " << warning << '\n';
@@ -114,12 +128,6 @@ std::string checked_yaml(const Manifest& round, const std::string& comment, cons
   return yaml;
 }
 
-void refuse_other_file(const fs::path& file, const std::string& text) {
-  if (fs::exists(fs::symlink_status(file)) && read_file(file) != text)
-    throw Error({file.string()}, "exists already, but holds something else",
-                "name another file, or remove it");
-}
-
 int choose_next(const NextCommand& command, const Console& console) {
   const AnswerInputs inputs = answer_inputs(command.files);
   const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
@@ -150,15 +158,15 @@ int choose_next(const NextCommand& command, const Console& console) {
   choice.ids = round.questionnaire->stimuli.ids;
   const fs::path out = command.out;
   const std::string yaml = checked_yaml(round, comment_of(command, choice, seed), out);
-  refuse_other_file(out, yaml);
+  refuse_other_content(out, yaml);
   show(choice, console);
   write_file(out, yaml);
   console.out << out.string() << '\n';
   if (command.tables.empty()) return exit_done;
-  for (const WrittenTable& table : film_tables(choice)) {
-    write_tables(command.tables, {table});
+  const std::vector<WrittenTable> tables = film_tables(choice);
+  write_tables(command.tables, tables);
+  for (const WrittenTable& table : tables)
     console.out << (fs::path(command.tables) / table.form.path).string() << '\n';
-  }
   return exit_done;
 }
 
@@ -186,7 +194,7 @@ Command study_next_command() {
                   "Scales that count, separated by commas (default: all that are asked)")
                .with_commas(),
            option("--features", &options->features,
-                  "Motion features by which films are told apart, separated by commas (default: "
+                  "Motion features that distinguish films, separated by commas (default: "
                   "the four groups)")
                .with_commas(),
            option("--candidates", &options->candidates,

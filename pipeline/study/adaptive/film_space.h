@@ -12,7 +12,7 @@
 
 namespace mien::pipeline {
 
-/// The parameters by which films are told apart, and where the examples lie.
+/// The parameters that distinguish films, and their values at the examples.
 struct FilmSpace {
   std::vector<std::string> parameters;
   std::vector<std::string> examples;  ///< names
@@ -32,8 +32,9 @@ struct RatedStudy {
 };
 
 /// Averages the answers about the stimuli that are unmodified blends of the examples, on the scales
-/// `asked`. Answers about other stimuli are left out, and told. The variance of an answer is pooled
-/// within films; it is 0 if all values are means. Throws Error if no answer remains.
+/// `asked`. Answers about other stimuli are omitted and listed in `left_out`. The variance of an
+/// answer is pooled within films; it is 0 if all values are means. Throws Error if no answer
+/// remains.
 RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
                        const FilmSpace& space, const std::vector<Answers>& rounds,
                        const std::vector<std::string>& asked);

@@ -49,21 +49,6 @@ std::vector<Index> random_examples(std::uint64_t seed, const std::string& name, 
   return chosen;
 }
 
-/// The candidates' places, standardised; parameters that do not vary are 0.
-struct Standardised {
-  RowVectorXd mean, spread;
-
-  explicit Standardised(const MatrixXd& places) : mean(places.colwise().mean()) {
-    spread = ((places.rowwise() - mean).array().square().colwise().mean()).sqrt();
-  }
-
-  MatrixXd of(const MatrixXd& places) const {
-    MatrixXd z = places.rowwise() - mean;
-    for (Index d = 0; d < z.cols(); ++d) z.col(d) *= spread[d] > 1e-12 ? 1.0 / spread[d] : 0.0;
-    return z;
-  }
-};
-
 /// What is known of one scale at all candidates.
 struct Knowledge {
   VectorXd mean;
@@ -103,7 +88,7 @@ struct Knowledge {
   }
 };
 
-Knowledge knowledge_of(const RatedFilms& rated, const MatrixXd& places, const Standardised& by,
+Knowledge knowledge_of(const RatedFilms& rated, const MatrixXd& places, const Standardisation& by,
                        const NextOptions& options) {
   const Index count = rated.mean.size();
   if (count < fewest_rated)
@@ -139,7 +124,7 @@ void mark_near(const MatrixXd& places, const RowVectorXd& place, double apart,
 
 /// Whether each candidate is not apart from some film that is rated, on every scale.
 std::vector<bool> rated_already(const MatrixXd& places, const std::vector<RatedFilms>& rated,
-                                const Standardised& by, double apart) {
+                                const Standardisation& by, double apart) {
   std::vector<bool> known(static_cast<std::size_t>(places.rows()), true);
   for (const RatedFilms& scale : rated) {
     std::vector<bool> near(known.size());
@@ -181,7 +166,7 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
   MatrixXd places(static_cast<Index>(candidates.size()), candidates.front().place.size());
   for (std::size_t c = 0; c < candidates.size(); ++c)
     places.row(static_cast<Index>(c)) = candidates[c].place;
-  const Standardised by(places);
+  const Standardisation by = standardisation_of(places);
   places = by.of(places);
   std::vector<Knowledge> scales;
   const Knowledge* aimed = nullptr;

@@ -22,27 +22,6 @@ constexpr double normal_reach = 1.6448536269514722;
 constexpr int fewest_styles = 4;
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-struct Standardisation {
-  RowVectorXd mean, spread;
-
-  MatrixXd of(const MatrixXd& features) const {
-    MatrixXd z = features.rowwise() - mean;
-    for (Index k = 0; k < z.cols(); ++k) z.col(k) *= spread[k] > 0.0 ? 1.0 / spread[k] : 0.0;
-    return z;
-  }
-};
-
-Standardisation standardisation_of(const MatrixXd& features) {
-  Standardisation result;
-  result.mean = features.colwise().mean();
-  result.spread = ((features.rowwise() - result.mean).array().square().colwise().sum() /
-                   static_cast<double>(features.rows()))
-                      .sqrt();
-  for (Index k = 0; k < features.cols(); ++k)
-    if (result.spread[k] < 1e-9 * (1.0 + std::abs(result.mean[k]))) result.spread[k] = 0.0;
-  return result;
-}
-
 /// Variance of the raters' error of each mean; 0 where it is not known.
 VectorXd noise_of(const MeanRatings& ratings, const RatingReliability& reliability) {
   if (std::isnan(reliability.answer_variance)) return VectorXd::Zero(ratings.mean.size());

@@ -41,9 +41,8 @@ constexpr auto trace_segment_columns = result_table<TraceSegmentRow>(
      {"from_s", "s", "time of the video from which it is shown; of the first mood, after the lead",
       [](auto& r) { return r.of.from_s; }},
      {"to_s", "s",
-      "time of the video at which the next mood begins, or the end of the video less the lag of "
-      "the "
-      "analysis",
+      "time of the video at which the next mood begins, or the end of the video minus the lag of "
+      "the analysis",
       [](auto& r) { return r.of.to_s; }},
      {"people", "", "number of participants", [](auto& r) { return r.of.people; }},
      {"mean", "0–100",

@@ -30,7 +30,7 @@ TEST(ReportedAnalyses, OfRatingsAreByTheFactorsUnlessThePlanStatesThem) {
             "of variance of that scale. All pairs of "
             "levels of the factors actor and emotion were compared within participants by paired t "
             "tests and Wilcoxon signed-rank tests; the pairs of a factor on all scales formed one "
-            "family. What participants answered who did not finish was included.");
+            "family. The answers of participants who did not finish were included.");
   EXPECT_TRUE(
       holds(words_of(manifest, ReportTense::present), "Ratings on each scale are analysed"));
   manifest.questionnaire->analysis.factorial.factors = {"emotion"};
@@ -38,7 +38,7 @@ TEST(ReportedAnalyses, OfRatingsAreByTheFactorsUnlessThePlanStatesThem) {
   EXPECT_TRUE(holds(words_of(manifest), "All pairs of levels of the factor emotion were"));
   for (Stimulus& stimulus : manifest.stimuli) stimulus.factors.clear();
   manifest.questionnaire->analysis.factorial = {};
-  EXPECT_EQ(words_of(manifest), "What participants answered who did not finish was included.");
+  EXPECT_EQ(words_of(manifest), "The answers of participants who did not finish were included.");
 }
 
 TEST(ReportedAnalyses, OfContinuousTrialsAreOfTracesMoodsAndAgreement) {
@@ -65,7 +65,7 @@ TEST(ReportedAnalyses, WithoutRatingsAreOfUnfinishedAnswersOnly) {
   for (const char* asked : {"participants: 4, trials: emotion, choices: [sad, happy, calm]",
                             "participants: 4, scales: [sad-happy], trials: pair"})
     EXPECT_EQ(words_of(test::asked_study(8, asked), ReportTense::present),
-              "What participants answer who do not finish is included.");
+              "The answers of participants who do not finish are included.");
 }
 
 }  // namespace

@@ -281,7 +281,7 @@ TEST_F(MethodsQuestionnaire, CountsPractisedPairsAndSetsOnce) {
 TEST_F(MethodsQuestionnaire, SaysWhatBecomesOfIncompleteAnswers) {
   const std::string text = methods_of_asked("participants: 4, scales: [slow-fast]");
   for (const char* words :
-       {"What participants answered who did not finish was included.",
+       {"The answers of participants who did not finish were included.",
         "Participants without an analysed rating in each cell of the design were left out of the "
         "analysis of variance of that scale."})
     expect_said(text, words);
@@ -290,7 +290,7 @@ TEST_F(MethodsQuestionnaire, SaysWhatBecomesOfIncompleteAnswers) {
   expect_said(planned, "were left out of the analysis of variance of that scale.");
   const std::string choices =
       methods_of_asked("participants: 4, scales: [slow-fast], trials: pair");
-  expect_said(choices, "What participants answered who did not finish was included.");
+  expect_said(choices, "The answers of participants who did not finish were included.");
   EXPECT_EQ(choices.find("analysis of variance"), std::string::npos) << choices;
 }
 

@@ -152,7 +152,7 @@ TEST_F(MethodsSettings, StateTheQualityRulesOfAQuestionnaire) {
                 " By rules stated before data collection, answers with a response time below "
                 "250 ms were flagged; flagged answers, and all answers of flagged "
                 "participants, were left out of the analysis.\n");
-  const std::string unfinished = " What participants answered who did not finish was included.";
+  const std::string unfinished = " The answers of participants who did not finish were included.";
   ASSERT_TRUE(usual.ends_with(unfinished));
   EXPECT_EQ(
       told(", analysis: {random_slopes: true}"),

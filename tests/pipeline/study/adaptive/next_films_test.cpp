@@ -240,6 +240,24 @@ TEST(NextFilms, LearnWithFewerThanRandomOnes) {
   EXPECT_LE(chosen_needed, 0.6 * random_needed) << chosen_needed / random_needed;
 }
 
+// Scales count equally whatever their units: 1 to 7, or 0 to 100.
+TEST(NextFilms, DoNotDependOnTheUnitsOfAScale) {
+  const auto candidates = film_candidates(random_places(8, 2), 100, true, 3);
+  const auto chosen = [&](double unit) {
+    const RatedFilms films = rated_films(candidates, {0, 1, 2, 3, 4}, 10, 4);
+    RatedFilms other = films;
+    other.scale = "slow-fast";
+    other.mean = unit * films.places.col(2).array().square();
+    other.answer_variance *= unit * unit;
+    std::vector<std::size_t> found;
+    for (const NextFilm& film : next_films(candidates, {films, other}, {.films = 6}).films)
+      found.push_back(film.candidate);
+    return found;
+  };
+  EXPECT_EQ(chosen(1.0), chosen(100.0));
+  EXPECT_EQ(chosen(1.0), chosen(0.01));
+}
+
 TEST(NextFilms, AreOfWhatIsNotRatedYetAndOfEveryScale) {
   const auto candidates = film_candidates(random_places(6, 2), 10, true, 3);
   const RatedFilms films = rated_films(candidates, {0, 1, 2, 3, 4, 5, 6, 7}, 10, 4);

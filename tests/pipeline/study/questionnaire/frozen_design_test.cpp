@@ -79,8 +79,8 @@ TEST_F(FrozenDesign, IsTheSameBytesAndHoldsWhatItRestsOn) {
       "Greenhouse and Geisser's method.\n- Participants without an analysed rating in each cell of "
       "the design are left out of the analysis of variance of that scale.\n- All pairs of levels "
       "of the factors actor and emotion are compared within participants by paired t tests and "
-      "Wilcoxon signed-rank tests; the pairs of a factor on all scales form one family.\n- What "
-      "participants answer who do not finish is included.\n");
+      "Wilcoxon signed-rank tests; the pairs of a factor on all scales form one family.\n- The "
+      "answers of participants who do not finish are included.\n");
   EXPECT_TRUE(holds(again.at("stimuli.csv"), "a1,videos/a1.mp4,"));
   EXPECT_TRUE(holds(again.at("dummy-report/answers.csv"), "simulated"));
 }
