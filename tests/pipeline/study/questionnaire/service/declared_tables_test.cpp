@@ -9,6 +9,7 @@
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/ratings/answers/trace_table.h"
 #include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/service/chain_rows.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 
 namespace mien::pipeline {
@@ -33,13 +34,15 @@ TEST(DeclaredTables, HaveTheColumnsOfThePages) {
             in_typescript("answerColumns", answer_form) +
                 in_typescript("participantColumns", participant_form) +
                 in_typescript("trialColumns", matching_trials_form) +
-                in_typescript("changeColumns", matching_changes_form));
+                in_typescript("changeColumns", matching_changes_form) +
+                in_typescript("stepColumns", chain_steps_form));
 }
 
 TEST(DeclaredTables, ArePagesOfTheManual) {
   std::string sections;
   for (const TableForm& form : {answer_form, traces_form, participant_form, plans_form,
-                                balance_form, matching_trials_form, matching_changes_form})
+                                balance_form, matching_trials_form, matching_changes_form,
+                                chain_steps_form})
     sections += (sections.empty() ? "" : "\n") + markdown_of(form);
   const std::string page = source_file("pipeline/study/questionnaire/TABLES.md");
   EXPECT_EQ(page.substr(page.find("## ")), sections);
