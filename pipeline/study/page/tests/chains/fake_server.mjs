@@ -15,7 +15,6 @@ const bodyOf = async (request) => {
 export async function fakeServer(folder, experiment, { stepAt = () => null, refuses = () => "" } = {}) {
   const files = await filesOf(folder);
   files["/index.html"] = Buffer.from(String(files["/index.html"]).replace('content="static"', 'content="served"'));
-  files["/"] = files["/index.html"];
   const records = {};
   const asked = {}, given = {}, sessions = new Set();
   const answers = {
