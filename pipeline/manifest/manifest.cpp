@@ -58,6 +58,7 @@ NameLanguage name_language(const Manifest& manifest) {
   std::string first;
   if (manifest.questionnaire) first = manifest.questionnaire->language.first();
   if (manifest.matching) first = manifest.matching->language.first();
+  if (manifest.adaptive) first = manifest.adaptive->language.first();
   return first == "ja" ? NameLanguage::japanese : NameLanguage::english;
 }
 

@@ -9,6 +9,7 @@
 
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
+#include "pipeline/manifest/adaptive.h"
 #include "pipeline/manifest/design.h"
 #include "pipeline/manifest/examples.h"
 #include "pipeline/manifest/matching.h"
@@ -120,6 +121,7 @@ struct Manifest {
   std::vector<Sheet> sheets;
   std::optional<Questionnaire> questionnaire;
   std::optional<Matching> matching;
+  std::optional<Adaptive> adaptive;
   Places places;
   std::vector<Fault> renamed;  ///< warnings about keys with deprecated names
 };
@@ -162,6 +164,7 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field.each("sheets", manifest.sheets, concerns::page, [] { return Sheet(); });
   field("questionnaire", manifest.questionnaire, concerns::nothing);
   field("matching", manifest.matching, concerns::nothing);
+  field("adaptive", manifest.adaptive, concerns::nothing);
 }
 
 /// Returns everything that is filmed: the stimuli, then the overlays.

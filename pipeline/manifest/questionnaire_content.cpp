@@ -30,8 +30,17 @@ const Questionnaire& questionnaire_of(const Manifest& manifest) {
   if (manifest.matching)
     throw Error(manifest.file.string() + " has a matching experiment but no questionnaire",
                 "evaluate its trials with mien study evaluate");
+  if (manifest.adaptive)
+    throw Error(manifest.file.string() + " has an adaptive experiment but no questionnaire",
+                "analyse its steps with mien study chains");
   throw Error(manifest.file.string() + " has no questionnaire",
               "add questionnaire: {participants: …, scales: […]}, or matching: {participants: …}");
+}
+
+const Adaptive& adaptive_of(const Manifest& manifest) {
+  if (manifest.adaptive) return *manifest.adaptive;
+  throw Error(manifest.file.string() + " has no adaptive experiment",
+              "add adaptive: {participants: …, method: gibbs, words: […], space: {groups: all}}");
 }
 
 const Matching& matching_of(const Manifest& manifest) {
@@ -52,10 +61,11 @@ std::vector<std::string> matching_targets(const Manifest& manifest) {
 }
 
 std::string title_of(const Manifest& manifest) {
-  if (!manifest.questionnaire && manifest.matching)
-    return manifest.matching->title.text.empty() ? manifest.study : manifest.matching->title.text;
-  const std::string& title = questionnaire_of(manifest).title.text;
-  return title.empty() ? manifest.study : title;
+  const LocalText& title = manifest.questionnaire ? manifest.questionnaire->title
+                           : manifest.matching    ? manifest.matching->title
+                           : manifest.adaptive    ? manifest.adaptive->title
+                                                  : questionnaire_of(manifest).title;
+  return title.text.empty() ? manifest.study : title.text;
 }
 
 ScaleSet scales_to_choose(const Manifest& manifest) {

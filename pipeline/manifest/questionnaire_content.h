@@ -17,12 +17,15 @@ const Questionnaire& questionnaire_of(const Manifest& manifest);
 /// Returns the matching experiment. Throws Error if the manifest has none.
 const Matching& matching_of(const Manifest& manifest);
 
+/// Returns the adaptive experiment. Throws Error if the manifest has none.
+const Adaptive& adaptive_of(const Manifest& manifest);
+
 /// Returns the ids of the matching experiment's targets: the named ones, or all stimuli with the
 /// role of a target that are not used for practice. The manifest must have a matching experiment.
 std::vector<std::string> matching_targets(const Manifest& manifest);
 
-/// Returns the title of the questionnaire or, if the manifest has none, of the matching experiment;
-/// if the title is empty, the study's name. Throws Error if the manifest has neither.
+/// Returns the title of the questionnaire or, if the manifest has none, of the matching or adaptive
+/// experiment; if the title is empty, the study's name. Throws Error if the manifest has none.
 std::string title_of(const Manifest& manifest);
 
 /// Returns the scales from which the questionnaire may choose: those of its own file; otherwise the

@@ -19,8 +19,8 @@ void visit_question_texts(const std::string& path, auto& questions, const auto& 
   }
 }
 
-/// Calls `visit(path, text)` for each text for participants that a questionnaire or a matching
-/// experiment has of its own: a LocalText, LocalWords or a TextSource.
+/// Calls `visit(path, text)` for each text for participants that a questionnaire or an experiment
+/// has of its own: a LocalText, LocalWords or a TextSource.
 void visit_texts(MaybeConst<Questionnaire> auto& asked, const auto& visit) {
   const auto at = [](const char* key) { return member_path("questionnaire", key); };
   visit(at("title"), asked.title);
@@ -44,11 +44,22 @@ void visit_texts(MaybeConst<Matching> auto& asked, const auto& visit) {
   visit_question_texts(at("demographics"), asked.demographics, visit);
 }
 
-/// Calls `visit` with the questionnaire and with the matching experiment of a manifest, if it has
-/// them.
+void visit_texts(MaybeConst<Adaptive> auto& asked, const auto& visit) {
+  const auto at = [](const char* key) { return member_path("adaptive", key); };
+  visit(at("title"), asked.title);
+  visit(at("consent"), asked.consent);
+  visit(at("instructions"), asked.instructions);
+  visit(at("ending"), asked.ending);
+  for (auto& [id, shown] : asked.words) visit(member_path(at("words"), id), shown);
+  visit_question_texts(at("demographics"), asked.demographics, visit);
+}
+
+/// Calls `visit` with the questionnaire and with the matching and adaptive experiments of a
+/// manifest, if it has them.
 void visit_experiments(MaybeConst<Manifest> auto& manifest, const auto& visit) {
   if (manifest.questionnaire) visit(*manifest.questionnaire);
   if (manifest.matching) visit(*manifest.matching);
+  if (manifest.adaptive) visit(*manifest.adaptive);
 }
 
 /// Sets the texts that are given by language to those of the first language offered.

@@ -18,14 +18,25 @@ double reflected(double value, const DimensionRange& range) {
   return range.low + (place > width ? 2.0 * width - place : place);
 }
 
+std::vector<double> proposal_deviates(const ChoiceSettings& settings, int chain, int step) {
+  std::vector<double> deviates;
+  for (std::size_t i = 0; i < settings.space.size(); ++i)
+    deviates.push_back(
+        normal(settings.seed, fmt::format("chain {} step {} dimension {}", chain, step, i)));
+  return deviates;
+}
+
+bool shows_proposal_first(const ChoiceSettings& settings, int chain, int step) {
+  return uniform(settings.seed, fmt::format("chain {} step {} side", chain, step)) < 0.5;
+}
+
 ChoiceTrial choice_trial(const ChoiceSettings& settings, int chain, int step,
                          std::vector<double> current) {
-  const std::string name = fmt::format("chain {} step {}", chain, step);
-  ChoiceTrial trial{{}, {}, uniform(settings.seed, name + " side") < 0.5};
+  ChoiceTrial trial{{}, {}, shows_proposal_first(settings, chain, step)};
+  const std::vector<double> deviates = proposal_deviates(settings, chain, step);
   for (std::size_t i = 0; i < current.size(); ++i) {
     const DimensionRange& range = settings.space[i];
-    const double by = settings.deviation * (range.high - range.low) *
-                      normal(settings.seed, fmt::format("{} dimension {}", name, i));
+    const double by = settings.deviation * (range.high - range.low) * deviates[i];
     trial.proposal.push_back(reflected(current[i] + by, range));
   }
   trial.current = std::move(current);

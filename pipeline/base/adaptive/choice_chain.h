@@ -25,6 +25,11 @@ struct ChoiceTrial {
   bool is_proposal_first = false;  ///< or on the left; as often as not
 };
 
+/// The standard normal deviates of a step's proposal, one for each dimension, and whether the
+/// proposal is first. They depend only on settings, chain and step.
+std::vector<double> proposal_deviates(const ChoiceSettings& settings, int chain, int step);
+bool shows_proposal_first(const ChoiceSettings& settings, int chain, int step);
+
 /// The trial of a step, from 0, of a chain at a point; depends only on these and the settings.
 ChoiceTrial choice_trial(const ChoiceSettings& settings, int chain, int step,
                          std::vector<double> current);

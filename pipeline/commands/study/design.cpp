@@ -12,6 +12,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/study/chain_design.h"
 #include "pipeline/commands/study/frozen_archive.h"
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/new_tables.h"
@@ -204,10 +205,12 @@ std::vector<fs::path> files_of_design(const DesignCommand& command, const Manife
 
 int design(const DesignCommand& command, const Console& console) {
   Manifest manifest = participants_manifest(command.manifest, console);
-  if (manifest.matching) {
+  if (manifest.matching || manifest.adaptive) {
     if (command.power || !command.balance.empty() || !command.frozen.empty())
       throw Error("--power, --balance and --freeze apply to questionnaires only",
-                  "omit them for a matching experiment");
+                  "omit them for an experiment");
+    if (manifest.adaptive)
+      return design_chains(manifest, {command.participants, command.plans}, console);
     return design_matching(manifest, {command.participants, command.plans}, console);
   }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;

@@ -12,6 +12,7 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/prepared_questionnaire.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/study/chains/experiment/chain_study.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/experiment/restricted_motions.h"
@@ -38,19 +39,33 @@ void refuse_restricted_motions(const ExportOptions& options, const Manifest& man
   throw Faults(std::move(faults));
 }
 
-int export_matching(const Manifest& manifest, const fs::path& folder, const Console& console) {
-  const fs::path pages = page_bundle("matching");
-  const fs::path module = live_module();
-  Motions motions(manifest);
-  const MatchingStudy study = matching_study(manifest, motions);
-  warn_of_matched_at_start(manifest, study, console);
-  refuse_answers_to_other_design(folder, study.experiment.at("design"));
-  write_export(exported_matching(manifest, study, pages, module), folder);
+/// Writes the export of an experiment, unless the folder has answers to another design.
+int write_live_export(const Manifest& manifest, const ZipFiles& files, const std::string& design,
+                      const std::vector<SessionPlan>& plans, const fs::path& folder,
+                      const Console& console) {
+  refuse_answers_to_other_design(folder, design);
+  write_export(files, folder);
   console.out << fmt::format("{}: {} participants, {} trials each\n{}\n{}\n", folder.string(),
-                             study.plans.size(), study.plans.front().trials.size(),
+                             plans.size(), plans.front().trials.size(),
                              (folder / "index.html").string(),
                              (folder / (manifest.study + ".jzip")).string());
   return exit_done;
+}
+
+int export_live(const Manifest& manifest, const fs::path& folder, const Console& console) {
+  const fs::path module = live_module();
+  Motions motions(manifest);
+  if (manifest.adaptive) {
+    const ChainStudy study = chain_study(manifest, motions);
+    return write_live_export(manifest,
+                             exported_chains(manifest, study, page_bundle("chains"), module),
+                             study.experiment.at("design"), study.plans(), folder, console);
+  }
+  const MatchingStudy study = matching_study(manifest, motions);
+  warn_of_matched_at_start(manifest, study, console);
+  return write_live_export(manifest,
+                           exported_matching(manifest, study, page_bundle("matching"), module),
+                           study.experiment.at("design"), study.plans, folder, console);
 }
 
 int export_study(const ExportOptions& options, const Console& console) {
@@ -58,7 +73,7 @@ int export_study(const ExportOptions& options, const Console& console) {
   refuse_foreign_folder(options.folder);
   const Manifest asked = participants_manifest(options.study.manifest, console);
   refuse_restricted_motions(options, asked);
-  if (asked.matching) return export_matching(asked, options.folder, console);
+  if (asked.matching || asked.adaptive) return export_live(asked, options.folder, console);
   const fs::path pages = page_bundle("questionnaire");
   refuse_answers_to_other_design(options.folder, design_hash(asked, plan_sessions(asked)));
   const PreparedQuestionnaire made = prepared_questionnaire(options.study, console);
@@ -76,25 +91,24 @@ int export_study(const ExportOptions& options, const Console& console) {
 
 Command study_export_command() {
   const auto options = std::make_shared<ExportOptions>();
-  return {.name = "export",
-          .summary =
-              "Export the questionnaire or matching experiment as a folder for any browser and for "
-              "JATOS",
-          .options =
-              all_of(questionnaire_options(options->study),
-                     option("--folder,-o", &options->folder,
-                            "Folder to write, new or of an earlier export; answers in it are kept")
-                         .required(),
-                     flag("--restricted", &options->restricted,
-                          "Export also motions whose licence does not permit sharing "
-                          "(licence: {share: false}), which are otherwise refused")),
-          .notes =
-              "First makes the videos that a questionnaire shows, as mien run does. The folder "
-              "works offline (open\n"
-              "index.html), on any web server, and on JATOS (.jzip); see its README.txt.\n\n"
-              "Example:\n"
-              "  mien study export study.yaml -o questionnaire",
-          .run = [options](const Console& console) { return export_study(*options, console); }};
+  return {
+      .name = "export",
+      .summary = "Export the questionnaire or experiment as a folder for any browser and for JATOS",
+      .options =
+          all_of(questionnaire_options(options->study),
+                 option("--folder,-o", &options->folder,
+                        "Folder to write, new or of an earlier export; answers in it are kept")
+                     .required(),
+                 flag("--restricted", &options->restricted,
+                      "Export also motions whose licence does not permit sharing "
+                      "(licence: {share: false}), which are otherwise refused")),
+      .notes =
+          "First makes the videos that a questionnaire shows, as mien run does. The folder "
+          "works offline (open\n"
+          "index.html), on any web server, and on JATOS (.jzip); see its README.txt.\n\n"
+          "Example:\n"
+          "  mien study export study.yaml -o questionnaire",
+      .run = [options](const Console& console) { return export_study(*options, console); }};
 }
 
 }  // namespace mien::pipeline

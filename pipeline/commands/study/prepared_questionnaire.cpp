@@ -34,7 +34,7 @@ PreparedQuestionnaire prepared_questionnaire(const ProductionArguments& argument
 
 std::vector<CommandOption> questionnaire_options(ProductionArguments& arguments) {
   return {argument("manifest", &arguments.manifest,
-                   "Manifest (YAML) with a questionnaire or a matching experiment, or the name of "
+                   "Manifest (YAML) with a questionnaire or an experiment, or the name of "
                    "an installed manifest (listed by mien manifests)"),
           option("--out", &arguments.out, "Folder of all studies").with_default(),
           quality_option(arguments.quality),

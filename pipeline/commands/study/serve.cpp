@@ -14,6 +14,7 @@
 #include "pipeline/commands/study/matching_design.h"
 #include "pipeline/commands/study/prepared_questionnaire.h"
 #include "pipeline/commands/study/study.h"
+#include "pipeline/study/chains/experiment/chain_study.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/page/served_page.h"
 #include "pipeline/study/questionnaire/experiment/restricted_motions.h"
@@ -191,13 +192,19 @@ int serve_study(ServedStudy& study, SessionStore& store, const ServeOptions& opt
   return exit_done;
 }
 
-int serve_matching(const Manifest& manifest, const ServeOptions& options, const Console& console) {
-  const fs::path pages = page_bundle("matching");
-  const ServedFiles files = served_files(options, manifest);
+ServedStudy live_study(const Manifest& manifest, const Console& console) {
   Motions motions(manifest);
+  if (manifest.adaptive)
+    return served_chains(chain_study(manifest, motions), page_bundle("chains"));
   MatchingStudy made = matching_study(manifest, motions);
   warn_of_matched_at_start(manifest, made, console);
-  ServedStudy study = served_matching(std::move(made), pages);
+  return served_matching(std::move(made), page_bundle("matching"));
+}
+
+/// Serves an experiment whose motions are synthesized while it runs.
+int serve_live(const Manifest& manifest, const ServeOptions& options, const Console& console) {
+  const ServedFiles files = served_files(options, manifest);
+  ServedStudy study = live_study(manifest, console);
   study.lab = served_page(page_bundle("lab"));
   make_folder(files.answers.parent_path());
   SessionStore store(files.answers);
@@ -218,7 +225,7 @@ int serve(const ServeOptions& options, const Console& console) {
   const Manifest asked = participants_manifest(options.study.manifest, console);
   for (const Fault& fault : restricted_motions(asked))
     console.err << "warning: " << to_string(fault) << '\n';
-  if (asked.matching) return serve_matching(asked, options, console);
+  if (asked.matching || asked.adaptive) return serve_live(asked, options, console);
   const fs::path pages = page_bundle("questionnaire");
   const ServedFiles files = served_files(options, asked);
   if (!options.store.empty() && !fs::is_directory(fs::absolute(files.answers).parent_path()))
@@ -235,39 +242,38 @@ int serve(const ServeOptions& options, const Console& console) {
 
 Command study_serve_command() {
   const auto options = std::make_shared<ServeOptions>();
-  return {.name = "serve",
-          .summary =
-              "Serve the questionnaire or matching experiment from this machine, for use in a "
-              "laboratory",
-          .options = all_of(
-              questionnaire_options(options->study),
-              option("--port", &options->port, "Port to listen on; 0: any free port")
-                  .between(0, 65535)
-                  .with_default(),
-              option("--listen", &options->listen,
-                     "Address to listen on; 0.0.0.0 for all addresses of this machine")
-                  .with_default(),
-              option("--store", &options->store,
-                     "File in which answers are stored (default: <out>/<study>-answers.db)"),
-              option("--url", &options->url,
-                     "URL at which participants reach this server, if not its address and port"),
-              flag("--behind-proxy", &options->behind_proxy,
-                   "A web server with TLS forwards all requests and states the clients' addresses "
-                   "(X-Forwarded-For)"),
-              flag("--json", &options->json, "Print the links as JSON")),
-          .notes =
-              "First makes the videos that a questionnaire shows, as mien run does. Each planned "
-              "participant has a\n"
-              "personal link, and an open link admits anybody else. Each page is stored on disk "
-              "before the next is shown.\n"
-              "The experimenter's page shows the progress of all participants and exports the "
-              "answers as CSV. Other\n"
-              "machines have access only with --listen.\n\n"
-              "Examples:\n"
-              "  mien study serve study.yaml\n"
-              "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db\n"
-              "  mien study serve study.yaml --behind-proxy --url https://lab.example.org",
-          .run = [options](const Console& console) { return serve(*options, console); }};
+  return {
+      .name = "serve",
+      .summary = "Serve the questionnaire or experiment from this machine, for use in a laboratory",
+      .options = all_of(
+          questionnaire_options(options->study),
+          option("--port", &options->port, "Port to listen on; 0: any free port")
+              .between(0, 65535)
+              .with_default(),
+          option("--listen", &options->listen,
+                 "Address to listen on; 0.0.0.0 for all addresses of this machine")
+              .with_default(),
+          option("--store", &options->store,
+                 "File in which answers are stored (default: <out>/<study>-answers.db)"),
+          option("--url", &options->url,
+                 "URL at which participants reach this server, if not its address and port"),
+          flag("--behind-proxy", &options->behind_proxy,
+               "A web server with TLS forwards all requests and states the clients' addresses "
+               "(X-Forwarded-For)"),
+          flag("--json", &options->json, "Print the links as JSON")),
+      .notes =
+          "First makes the videos that a questionnaire shows, as mien run does. Each planned "
+          "participant has a\n"
+          "personal link, and an open link admits anybody else. Each page is stored on disk "
+          "before the next is shown.\n"
+          "The experimenter's page shows the progress of all participants and exports the "
+          "answers as CSV. Other\n"
+          "machines have access only with --listen.\n\n"
+          "Examples:\n"
+          "  mien study serve study.yaml\n"
+          "  mien study serve study.yaml --listen 0.0.0.0 --port 8000 --store monday.db\n"
+          "  mien study serve study.yaml --behind-proxy --url https://lab.example.org",
+      .run = [options](const Console& console) { return serve(*options, console); }};
 }
 
 }  // namespace mien::pipeline

@@ -16,6 +16,7 @@
 #include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/production/synthesis/repertoire.h"
+#include "pipeline/study/chains/experiment/simulated_chains.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/questionnaire/session_duration.h"
 #include "pipeline/study/questionnaire/simulated_people.h"
@@ -123,9 +124,24 @@ int simulate_matched(const SimulateCommand& command, const Manifest& manifest,
       console);
 }
 
+int simulate_chains(const SimulateCommand& command, const Manifest& manifest,
+                    const Console& console) {
+  if (!command.truth.empty())
+    throw Error("--truth applies to questionnaires only", "omit it for an adaptive experiment");
+  Motions motions(manifest);
+  const ChainStudy study = chain_study(manifest, motions, command.participants);
+  const std::vector<ChainAnswer> answers =
+      simulated_chains(study, manifest.adaptive->across_participants, usual_truth(study));
+  return put_answers(
+      command, manifest, chain_steps_csv(answers, study.design),
+      fmt::format("{} simulated participants, {} trials", study.sessions.size(), answers.size()),
+      console);
+}
+
 int simulate_questionnaire(const SimulateCommand& command, const Console& console) {
   const Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching) return simulate_matched(command, manifest, console);
+  if (manifest.adaptive) return simulate_chains(command, manifest, console);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
   const AssumedTruth truth = truth_of(command, manifest);
   const std::vector<AnswerRow> rows = simulated_sessions(
@@ -140,9 +156,8 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
 
 int simulate(const SimulateCommand& command, const Console& console) {
   if (command.manifest.empty() == command.examples.empty())
-    throw Error(
-        "simulate takes a manifest with a questionnaire or a matching experiment, or --examples",
-        "give one of the two");
+    throw Error("simulate takes a manifest with a questionnaire or an experiment, or --examples",
+                "give one of the two");
   return command.manifest.empty() ? simulate_examples(command, console)
                                   : simulate_questionnaire(command, console);
 }
@@ -182,7 +197,7 @@ Command study_simulate_command() {
   const auto options = std::make_shared<SimulateCommand>();
   return {
       .name = "simulate",
-      .summary = "Simulate answers to a questionnaire, ratings of examples, or matching trials",
+      .summary = "Simulate answers to a questionnaire or an experiment, or ratings of examples",
       .options = all_of(
           argument("manifest", &options->manifest, study_manifest_help).optional(),
           simulation_options(*options),

@@ -52,7 +52,7 @@ Manifest questionnaire_manifest(const std::string& name, const Console& console)
 
 Manifest participants_manifest(const std::string& name, const Console& console) {
   Manifest manifest = load_with_warnings(resolve_manifest(name, console), {}, console);
-  if (!manifest.matching) questionnaire_of(manifest);
+  if (!manifest.matching && !manifest.adaptive) questionnaire_of(manifest);
   return manifest;
 }
 
@@ -95,18 +95,30 @@ Command study_command() {
       .name = study_program.command,
       .summary = study_program.summary,
       .commands =
-          {study_analyze_command(), study_design_command(), study_estimate_command(),
-           study_evaluate_command(), study_export_command(), study_features_command(),
-           study_interfaces_command(), study_methods_command(), study_next_command(),
-           study_predict_command(), study_recipes_command(), scales_command(),
-           study_serve_command(), study_report_command(), study_simulate_command(),
+          {study_analyze_command(),
+           study_chains_command(),
+           study_design_command(),
+           study_estimate_command(),
+           study_evaluate_command(),
+           study_export_command(),
+           study_features_command(),
+           study_interfaces_command(),
+           study_methods_command(),
+           study_next_command(),
+           study_predict_command(),
+           study_recipes_command(),
+           scales_command(),
+           study_serve_command(),
+           study_report_command(),
+           study_simulate_command(),
            study_targets_command(),
            version_command(
                "Show the versions of mien and its libraries, including those of the web server",
                {{"libarchive", archive_library()},
                 {"Boost", http_library()},
                 {"SQLite", database_library()}}),
-           study_withdraw_command(), study_words_command()},
+           study_withdraw_command(),
+           study_words_command()},
       .notes =
           "Examples:\n"
           "  mien study design emotion-study -o plans.csv       orders of trials for participants\n"

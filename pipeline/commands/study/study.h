@@ -21,12 +21,12 @@ CommandOption methods_option(std::vector<motion::InterpolationMethod>& methods,
 /// has none.
 Manifest questionnaire_manifest(const std::string& name, const Console& console);
 
-/// Reads the manifest of that name, which must have a questionnaire or a matching experiment.
-/// Throws Faults, or Error if it has neither.
+/// Reads the manifest of that name, which must have a questionnaire or a matching or adaptive
+/// experiment. Throws Faults, or Error if it has none.
 Manifest participants_manifest(const std::string& name, const Console& console);
 
 inline constexpr char study_manifest_help[] =
-    "Manifest (YAML) with a questionnaire or a matching experiment, the name of an installed "
+    "Manifest (YAML) with a questionnaire or an experiment, the name of an installed "
     "manifest (listed by mien manifests), or a study's provenance.json";
 
 struct Console;
@@ -53,6 +53,7 @@ Command study_command();
 
 // Subcommands of `mien study`, one per source file.
 Command study_analyze_command();
+Command study_chains_command();
 Command study_design_command();
 Command study_estimate_command();
 Command study_evaluate_command();

@@ -186,15 +186,17 @@ class LanguageCheck {
 std::vector<Fault> check_languages(const Manifest& manifest) {
   std::vector<Fault> faults;
   visit_experiments(manifest, [&](const auto& experiment) {
-    constexpr bool is_questionnaire =
-        std::is_same_v<std::remove_cvref_t<decltype(experiment)>, Questionnaire>;
-    LanguageCheck check(manifest, is_questionnaire ? "questionnaire" : "matching",
-                        experiment.language, experiment.texts);
+    using Experiment = std::remove_cvref_t<decltype(experiment)>;
+    constexpr bool is_questionnaire = std::is_same_v<Experiment, Questionnaire>;
+    constexpr bool is_matching = std::is_same_v<Experiment, Matching>;
+    LanguageCheck check(
+        manifest, is_questionnaire ? "questionnaire" : is_matching ? "matching" : "adaptive",
+        experiment.language, experiment.texts);
     visit_texts(experiment, [&](const std::string& path, const auto& text) { check(path, text); });
     if constexpr (is_questionnaire) {
       check.check_scales(questionnaire_scales(manifest).scales, "scales");
       check.check_choices(experiment);
-    } else {
+    } else if constexpr (is_matching) {
       check.check_sliders(manifest, experiment);
     }
     append(faults, check.faults());

@@ -66,11 +66,12 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
   return faults;
 }
 
-/// Questionnaire and matching experiment; not checked where their scales or texts are missing.
+/// Questionnaire and experiments; not checked where their scales or texts are missing.
 std::vector<Fault> check_experiments(const ResolvedManifest& resolved) {
   if (!resolved.are_experiments_resolved) return {};
   std::vector<Fault> faults = check_questionnaire(resolved.manifest);
   append(faults, check_matching(resolved.manifest));
+  append(faults, check_adaptive(resolved.manifest));
   append(faults, check_languages(resolved.manifest));
   return faults;
 }

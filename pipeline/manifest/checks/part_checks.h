@@ -67,7 +67,7 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
 /// suitable file (check_shown_videos). The study's scales must have been read.
 std::vector<Fault> check_questionnaire(const Manifest& manifest);
 
-/// Returns faults of the languages of a questionnaire or a matching experiment: those without texts
+/// Returns faults of the languages of a questionnaire or an experiment: those without texts
 /// of pages, and texts, choices and scales that are not given in all languages offered.
 std::vector<Fault> check_languages(const Manifest& manifest);
 
@@ -125,6 +125,11 @@ std::vector<Fault> questionnaire_warnings(const Manifest& manifest);
 /// Returns faults of a matching experiment, such as unknown targets, adjectives or features, no
 /// targets, or a questionnaire in the same manifest. The study's scales must have been read.
 std::vector<Fault> check_matching(const Manifest& manifest);
+
+/// Returns faults of an adaptive experiment, such as unknown dimensions, settings that do not suit
+/// its method, too many trials, or a questionnaire in the same manifest. The study's scales must
+/// have been read.
+std::vector<Fault> check_adaptive(const Manifest& manifest);
 
 /// Returns a fault for each source of motions, looks, ratings, scales or recipes that lies in
 /// `folder`, the output folder of the run, which could overwrite it. Its folder `inputs` is

@@ -67,7 +67,7 @@ void resolve_text(const std::string& path, auto& source, FaultList& list) {
   }
 }
 
-/// Reads the texts for participants of a questionnaire or a matching experiment.
+/// Reads the texts for participants of a questionnaire or an experiment.
 void resolve_texts(auto& experiment, FaultList& list) {
   visit_texts(experiment, [&list](const std::string& path, auto& text) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(text)>, TextSource>) {
@@ -124,6 +124,8 @@ std::vector<Fault> resolve_experiments(Manifest& manifest) {
   std::vector<Fault> faults = list.take();
   if (manifest.matching)
     append(faults, resolve_own_texts("matching.texts", manifest.matching->texts, manifest.places));
+  if (manifest.adaptive)
+    append(faults, resolve_own_texts("adaptive.texts", manifest.adaptive->texts, manifest.places));
   if (!manifest.questionnaire) return faults;
   Questionnaire& experiment = *manifest.questionnaire;
   append(faults, resolve_own_texts("questionnaire.texts", experiment.texts, manifest.places));

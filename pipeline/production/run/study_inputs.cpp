@@ -45,6 +45,7 @@ void for_each_document(M& manifest, const Visit& visit) {
     if (!questionnaire.scales.file.empty()) visit(questionnaire.scales.file);
   }
   if (manifest.matching) visit_text_files(*manifest.matching, visit);
+  if (manifest.adaptive) visit_text_files(*manifest.adaptive, visit);
   for (auto& stimulus : manifest.stimuli)
     if (stimulus.audio && !stimulus.audio->file.empty()) visit(stimulus.audio->file);
   visit_set(manifest.look);

@@ -37,6 +37,18 @@ PRAGMA application_id = 1835623790;
 PRAGMA user_version = 2;
 )";
 
+/// In all versions, where it is needed.
+constexpr const char* step_table = R"(
+CREATE TABLE IF NOT EXISTS steps(
+  place INTEGER PRIMARY KEY,
+  chain TEXT NOT NULL,
+  step INTEGER NOT NULL,
+  person INTEGER NOT NULL,
+  content TEXT NOT NULL,
+  session INTEGER REFERENCES sessions(number),
+  UNIQUE(chain, step, person)) STRICT;
+)";
+
 /// From version 1 to 2.
 constexpr const char* store_conversion = R"(
 ALTER TABLE sessions ADD COLUMN ended TEXT NOT NULL DEFAULT '';
@@ -84,11 +96,19 @@ void insert_record(Database& database, const StoredRecord& record) {
       .finish();
 }
 
+void insert_step(Database& database, const StoredStep& step) {
+  Statement statement(
+      database,
+      "INSERT INTO steps(chain, step, person, content, session) VALUES(?1, ?2, ?3, ?4, ?5)");
+  statement.with(step.chain, step.step, step.person, step.content, step.session.value()).finish();
+}
+
 }  // namespace
 
 SessionStore::SessionStore(const std::filesystem::path& file)
     : lacks_log_(is_without_log(file)), database_(file) {
   prepare();
+  database_.run(step_table);
   // What is deleted is overwritten by zeros.
   database_.run("PRAGMA secure_delete = ON");
   // Written to the file itself and not to its log alone, so that a copy without the log is
@@ -211,7 +231,8 @@ bool SessionStore::mark_begun(int session, const std::string& entry_route, const
   return statement.with(session, now, entry_route).finish() > 0;
 }
 
-RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& ended) {
+RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& ended,
+                                 const std::optional<StoredStep>& step) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(database_);
   Statement stored(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
@@ -221,6 +242,7 @@ RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& 
   count.with(record.session).step();
   if (count.number(0) != record.position) return RecordOutcome::out_of_order;
   insert_record(database_, record);
+  if (step) insert_step(database_, *step);
   if (!ended.empty()) {
     Statement end(database_, "UPDATE sessions SET ended = ?2 WHERE number = ?1");
     end.with(record.session, ended).finish();
@@ -238,6 +260,8 @@ int SessionStore::erase_records(int session, const std::string& ended) {
     Transaction transaction(database_);
     Statement records(database_, "DELETE FROM records WHERE session = ?1");
     erased = records.with(session).finish();
+    Statement steps(database_, "UPDATE steps SET session = NULL WHERE session = ?1");
+    steps.with(session).finish();
     Statement end(database_,
                   "UPDATE sessions SET ended = ?2, begun_at = '', came_by = '' WHERE number = ?1");
     end.with(session, ended).finish();
@@ -246,6 +270,24 @@ int SessionStore::erase_records(int session, const std::string& ended) {
   // Older pages are still in the log.
   database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
   return erased;
+}
+
+std::vector<StoredStep> SessionStore::steps() {
+  const std::lock_guard lock(mutex_);
+  Statement statement(database_,
+                      "SELECT chain, step, person, content, coalesce(session, -1) FROM steps "
+                      "ORDER BY place");
+  std::vector<StoredStep> steps;
+  while (statement.step()) {
+    StoredStep step{.chain = statement.text(0),
+                    .step = static_cast<int>(statement.number(1)),
+                    .person = static_cast<int>(statement.number(2)),
+                    .content = statement.text(3)};
+    if (const auto session = static_cast<int>(statement.number(4)); session >= 0)
+      step.session = session;
+    steps.push_back(std::move(step));
+  }
+  return steps;
 }
 
 std::vector<StoredRecord> SessionStore::records() {

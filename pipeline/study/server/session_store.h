@@ -30,6 +30,16 @@ struct StoredRecord {
   std::string stored_at;  ///< ISO 8601 time of storing
 };
 
+/// An answer to a step of a chain that goes across participants, in an adaptive experiment. It
+/// stays when its participant withdraws, because the answers of others depend on it.
+struct StoredStep {
+  std::string chain;  ///< "sad/1"
+  int step = 0;
+  int person = 0;
+  std::string content;         ///< the answer, which does not identify the participant
+  std::optional<int> session;  ///< index of the session; unset after withdrawal
+};
+
 /// The outcome of storing a record.
 enum class RecordOutcome {
   stored,       ///< the record was stored and flushed to disk
@@ -71,13 +81,19 @@ class SessionStore {
   bool mark_begun(int session, const std::string& entry_route, const std::string& now);
 
   /// Stores a record of an existing session. `ended` is stored with it, if the record ends the
-  /// session early.
-  RecordOutcome keep(const StoredRecord& record, const std::string& ended = "");
+  /// session early, and `step` if it answers a step of a chain, which nobody may have answered
+  /// before.
+  RecordOutcome keep(const StoredRecord& record, const std::string& ended = "",
+                     const std::optional<StoredStep>& step = std::nullopt);
 
-  /// Deletes all records of a session and the times at which it began, and stores how it ended.
+  /// Deletes all records of a session and the times at which it began, removes its number from
+  /// answers to steps, and stores how it ended.
   /// What was deleted is overwritten in the file and its write-ahead log. Returns the number of
   /// deleted records.
   int erase_records(int session, const std::string& ended);
+
+  /// Answers to steps of chains in the order in which they were stored.
+  std::vector<StoredStep> steps();
 
   std::vector<StoredRecord> records();
   std::vector<StoredRecord> records_of(int session);

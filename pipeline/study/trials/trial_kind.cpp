@@ -12,6 +12,7 @@
 namespace mien::pipeline {
 
 constinit const TrialKind matching_trials = {.name = "matching"};
+constinit const TrialKind chain_trials = {.name = "chain"};
 
 std::string_view Trial::kind_name() const {
   return is_attention_check() ? attention_kind : kind->name;

@@ -20,7 +20,8 @@ struct TrialKind;
 extern const TrialKind rating_trials;
 
 /// An item of a trial: a scale, or the item of the trial form (TrialForm), such as the choice of an
-/// emotion. In matching trials, the item is the interface, and the stimulus is the target.
+/// emotion. In matching trials, the item is the interface, and the stimulus is the target. In chain
+/// trials, the item is the word, or empty if it is not known beforehand.
 struct TrialItem {
   std::string item;      ///< id
   bool flipped = false;  ///< the high end is at the left
@@ -137,7 +138,7 @@ struct SimulatedView {
 /// is a trial of the kind that it resembles, but without stimuli.
 struct TrialKind {
   std::string_view name;
-  const TrialForm* form = nullptr;  ///< the form in a manifest; nullptr for matching trials
+  const TrialForm* form = nullptr;  ///< the form in a manifest; nullptr for matching and chain trials
 
   /// Raw answers that an attention check may request.
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;
@@ -166,12 +167,14 @@ extern const TrialKind grid_trials;            ///< several stimuli, each rated 
 extern const TrialKind continuous_trials;      ///< one stimulus, rated while it plays
 /// A target motion matched with sliders; used only in matching experiments, with their own records.
 extern const TrialKind matching_trials;
+/// A step of a chain of motions; used only in adaptive experiments, with their own records.
+extern const TrialKind chain_trials;
 
 /// All kinds of trials.
 inline constexpr std::array trial_kinds = {
     &rating_trials,     &emotion_trials,      &pair_trials,       &same_different_trials,
     &yes_no_trials,     &two_interval_trials, &best_worst_trials, &grid_trials,
-    &continuous_trials, &matching_trials};
+    &continuous_trials, &matching_trials,     &chain_trials};
 
 /// The kind of trial with that form.
 const TrialKind& trial_kind_of(const TrialForm& form);

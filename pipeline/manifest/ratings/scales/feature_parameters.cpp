@@ -2,6 +2,11 @@
 
 namespace mien::pipeline {
 
+std::vector<std::string> feature_group_names() {
+  const auto& names = feature_parameter_names();
+  return {names.begin(), names.begin() + motion::feature_group_count};
+}
+
 FeatureParameters feature_parameters(const motion::ExampleSet& examples) {
   FeatureParameters result;
   if (examples.examples.empty()) return result;

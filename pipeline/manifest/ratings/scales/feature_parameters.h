@@ -18,6 +18,10 @@ struct FeatureParameters {
   ParameterTable table;  ///< the groups, then the features, that are available for all examples
 };
 
+/// Returns the names of the groups of features, which precede those of the features in
+/// feature_parameter_names().
+std::vector<std::string> feature_group_names();
+
 FeatureParameters feature_parameters(const motion::ExampleSet& examples);
 
 }  // namespace mien::pipeline

@@ -48,19 +48,9 @@ ServedStudy served_matching(MatchingStudy study, const std::filesystem::path& pa
 /// practice motion. Every plan is a pure function of (manifest, index).
 std::vector<SessionPlan> plan_matching(const Manifest& manifest, int count = 0);
 
-/// A matching experiment that runs without a server: the browser synthesizes the motions. Files by
-/// their paths, for write_export (questionnaire/experiment/export.h).
-///
-///     index.html, matching.js, …        the page for participants, on disk or on any web server
-///     experiment.js, experiment.json    all sessions, for the page and for other programs
-///     live_core.js                      the live core (WebAssembly) and the live bundle
-///     <study>.jzip                      page, sessions and live core as an archive for JATOS
-///     plans.csv                         every trial of every participant
-///     answers/data/README.md            instructions to collect the participants' files here
-///     README.txt                        instructions for the experimenter
-///
-/// `pages` is the folder of the built page, `module` the live core (live_module()). The same
-/// study results in the same bytes.
+/// A matching experiment that runs without a server, with the files of exported_live
+/// (questionnaire/experiment/live_export.h). `pages` is the folder of the built page, `module` the
+/// live core (live_module()). The same study results in the same bytes.
 ZipFiles exported_matching(const Manifest& manifest, const MatchingStudy& study,
                            const std::filesystem::path& pages, const std::filesystem::path& module);
 

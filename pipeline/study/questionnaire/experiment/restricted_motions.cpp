@@ -16,13 +16,13 @@ namespace {
 using motion::in_quotes;
 
 /// The examples and targets are sent to browsers, which interpolate them.
-std::vector<Fault> restricted_matches(const Manifest& manifest,
+std::vector<Fault> restricted_examples(const Manifest& manifest,
                                       const std::vector<RecordingFile>& recordings) {
   std::vector<Fault> faults;
   for (const RecordingFile& recording : recordings) {
     if (recording.licence.share) continue;
     faults.push_back({place_of(manifest.places, recording.path), recording.path,
-                      fmt::format("the licence {} does not permit sharing {}, but a matching "
+                      fmt::format("the licence {} does not permit sharing {}, but the "
                                   "experiment sends its motions to browsers",
                                   in_quotes(recording.licence.name),
                                   in_quotes(recording.file.filename().string())),
@@ -50,7 +50,7 @@ std::vector<Fault> restricted_turns(const Manifest& manifest,
 
 std::vector<Fault> restricted_motions(const Manifest& manifest) {
   const std::vector<RecordingFile> recordings = recording_files(manifest);
-  if (manifest.matching) return restricted_matches(manifest, recordings);
+  if (manifest.matching || manifest.adaptive) return restricted_examples(manifest, recordings);
   if (questionnaire_of(manifest).view != ShownAs::turn) return {};
   return restricted_turns(manifest, recordings);
 }

@@ -8,6 +8,7 @@
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/ratings/answers/trace_table.h"
+#include "pipeline/study/questionnaire/service/chain_rows.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
@@ -113,7 +114,33 @@ std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySe
   return trials;
 }
 
+/// Answers to steps whose participants have withdrawn.
+void add_withdrawn_steps(const ServedStudy& study, const StudySessions& sessions,
+                         std::vector<ChainAnswer>& answers) {
+  for (const StoredStep& step : sessions.store().steps())
+    if (!step.session)
+      answers.push_back({.design = study.facts.design,
+                         .answer = read_chain_record(nlohmann::json::parse(step.content))});
+}
+
 }  // namespace
+
+std::string steps_csv(const ServedStudy& study, const StudySessions& sessions) {
+  std::vector<ChainAnswer> answers;
+  for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
+    if (!record.chain) return;
+    answers.push_back({.participant = plan.participant,
+                       .session = record.session,
+                       .design = study.facts.design,
+                       .trial = trial.number,
+                       .is_practice = trial.practice,
+                       .answer = std::move(*record.chain),
+                       .trial_ms = record.measured.trial_ms,
+                       .started_at = table_text(record.started_at)});
+  });
+  add_withdrawn_steps(study, sessions, answers);
+  return chain_steps_csv(answers, study.facts.chains->design);
+}
 
 std::string trials_csv(const ServedStudy& study, const StudySessions& sessions) {
   return matching_trials_csv(matched_trials(study, sessions));

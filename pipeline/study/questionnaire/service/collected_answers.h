@@ -20,6 +20,10 @@ std::string traces_csv(const ServedStudy& study, const StudySessions& sessions);
 std::string trials_csv(const ServedStudy& study, const StudySessions& sessions);
 std::string changes_csv(const ServedStudy& study, const StudySessions& sessions);
 
+/// CSV of the answers to steps of an adaptive experiment (chain_rows.h), those of withdrawn
+/// participants last and without them.
+std::string steps_csv(const ServedStudy& study, const StudySessions& sessions);
+
 /// CSV with a row for each participant who gave consent (participant_row.h).
 std::string participants_csv(const ServedStudy& study, const StudySessions& sessions);
 
@@ -31,9 +35,9 @@ std::string links_csv(const StudySessions& sessions, const std::string& base);
 
 /// The response to a request for the experimenter's page (""), its files, status.json (with
 /// `last_failure`, the server's last storage failure), answers.csv (or, in a matching experiment,
-/// trials.csv and changes.csv), answers.json, participants.csv or links.csv. Nullopt for other
-/// names. The request's path must have three segments, of which the last is the name. `now` is in
-/// seconds since 1970.
+/// trials.csv and changes.csv, and in an adaptive experiment steps.csv), answers.json,
+/// participants.csv or links.csv. Nullopt for other names. The request's path must have three
+/// segments, of which the last is the name. `now` is in seconds since 1970.
 std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedStudy& study,
                                        const StudySessions& sessions,
                                        const std::string& last_failure, std::int64_t now);

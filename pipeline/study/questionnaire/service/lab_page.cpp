@@ -53,6 +53,8 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
           {"title", study.experiment.at("title")},
           {"design", study.facts.design},
           {"is_matching", study.facts.matching.has_value()},
+          {"is_adaptive", study.facts.chains.has_value()},
+          {"steps", sessions.step_progress()},
           {"has_traces", has_continuous_trials(study)},
           {"trouble", last_failure},
           {"planned", study.plans.size()},
@@ -96,7 +98,9 @@ std::optional<HttpResponse> lab_answer(const HttpRequest& request, const ServedS
     return saved_as(file, csv, trials_csv(study, sessions));
   if (study.facts.matching && name == "changes.csv")
     return saved_as(file, csv, changes_csv(study, sessions));
-  if (!study.facts.matching && name == "answers.csv")
+  if (study.facts.chains && name == "steps.csv")
+    return saved_as(file, csv, steps_csv(study, sessions));
+  if (!study.facts.matching && !study.facts.chains && name == "answers.csv")
     return saved_as(file, csv, answers_csv(study, sessions));
   if (has_continuous_trials(study) && name == "traces.csv")
     return saved_as(file, csv, traces_csv(study, sessions));

@@ -172,6 +172,7 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
     for (const auto& [id, shown] : choices->items()) facts.choices.push_back(id);
   if (const auto matching = experiment.find("matching"); matching != experiment.end())
     facts.matching = matching_facts(*matching);
+  if (experiment.contains("chains")) facts.chains = chain_facts(experiment);
   for (const auto& question : experiment.at("demographics")) {
     DemographicQuestion asked{.id = question.at("id"),
                               .required = question.value("required", false)};
@@ -238,6 +239,7 @@ PageRecord read_record(const nlohmann::json& text) {
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);
+  if (const nlohmann::json* chain = reader.find("chain")) record.chain = read_chain_record(*chain);
   reader.finish();
   return record;
 }

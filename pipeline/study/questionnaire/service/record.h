@@ -9,6 +9,7 @@
 
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/screening.h"
+#include "pipeline/study/questionnaire/service/chain_record.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -54,6 +55,7 @@ struct QuestionnaireFacts {
   std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
   std::map<std::string, double> seconds;      ///< duration of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< only in a matching experiment
+  std::optional<ChainFacts> chains;           ///< only in an adaptive experiment
 };
 
 /// Combines an item of a trial with its scale and choices.
@@ -80,6 +82,8 @@ struct PageRecord {
   std::string language;                    ///< only of consent: that of the page; empty: unknown
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
+  /// Only for a step of a chain; without it, there was no step left for the trial.
+  std::optional<ChainRecord> chain;
 };
 
 /// Text as tables have it: control characters other than line breaks and tabs become spaces.

@@ -72,14 +72,26 @@ void check_trace(const QuestionnaireFacts& facts, const Trial& trial,
     throw RecordFault(fmt::format("a trace of {} samples, and its film has {}", count, wanted));
 }
 
+/// A trial of chains across participants may have no step: they may be complete before.
+void check_chain_trial(const ChainFacts& facts, const SessionPlan& plan, const Trial& trial,
+                       const PageRecord& record) {
+  check_items(record, {});
+  if (record.chain) return check_chain_record(facts, plan, trial, *record.chain);
+  if (!facts.across_participants || trial.practice) throw RecordFault("the trial has no step");
+}
+
 void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                         const Trial& trial, const PageRecord& record) {
+  if (record.chain && trial.kind != &chain_trials)
+    throw RecordFault("the record is of a different kind of trial");
   if (record.matching.has_value() != (trial.kind == &matching_trials))
     throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
     check_items(record, {});
     return check_matching_record(facts.matching.value(), trial, *record.matching);
   }
+  if (trial.kind == &chain_trials)
+    return check_chain_trial(facts.chains.value(), plan, trial, record);
   if (!record.measured.play_fault.empty()) return check_left_out(facts, trial, record);
   std::vector<TrialItem> asked = trial.items;
   if (asked.empty() && trial.is_attention_check()) asked = {{attention_item}};
@@ -181,8 +193,8 @@ bool is_refusal(const PageRecord& record) {
 
 void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record) {
-  if (record.matching && trial_of(plan, record.name) == nullptr)
-    throw RecordFault("this page has no matching trial");
+  if ((record.matching || record.chain) && trial_of(plan, record.name) == nullptr)
+    throw RecordFault("this page has no trial");
   check_url_parameters(facts, record);
   if (!record.language.empty() && record.name != consent_record)
     throw RecordFault("only the record of consent has a language");

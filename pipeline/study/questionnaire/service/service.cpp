@@ -80,6 +80,11 @@ HttpResponse with_record(
   }
 }
 
+HttpResponse other_browser() {
+  return http_refusal(409, "elsewhere", "this session was started in another browser",
+                      "continue there, or ask for another link");
+}
+
 /// A text in the posted JSON; nullopt if it is not there.
 std::optional<std::string> text_in(const HttpRequest& request, const char* member) {
   if (!is_json(request)) return std::nullopt;
@@ -154,6 +159,9 @@ HttpResponse QuestionnaireService::answer_session(const HttpRequest& request) {
   if (request.path.size() == 3 && request.path[2] == "withdrawal")
     return request.method == "POST" ? take_withdrawal(request, *session)
                                     : http_method_not_allowed("POST");
+  if (has_shared_chains() && request.path.size() == 4 && request.path[2] == "step")
+    return request.method == "POST" ? assign_step(request, *session)
+                                    : http_method_not_allowed("POST");
   if (!is_reading(request)) return http_method_not_allowed("GET, HEAD");
   return answer_in_session(request, *session);
 }
@@ -201,6 +209,31 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   });
 }
 
+bool QuestionnaireService::has_shared_chains() const {
+  return study_.facts.chains && study_.facts.chains->across_participants;
+}
+
+HttpResponse QuestionnaireService::assign_step(const HttpRequest& request, int session) {
+  const std::optional<std::string> browser = text_in(request, "session");
+  const SessionState state = sessions_.state(session);
+  const SessionPlan plan = sessions_.plan_of(state.session);
+  const Trial* trial = trial_of(plan, request.path[3]);
+  if (trial == nullptr || trial->practice || state.ended)
+    return http_refusal(404, "unknown", "this session has no such trial", "load the page again");
+  if (!browser)
+    return http_refusal(400, "malformed", "names no browser session", "load the page again");
+  const StepAssignment assigned = sessions_.assign_step(session, *browser, request.path[3]);
+  if (assigned.is_other_browser) return other_browser();
+  if (assigned.step) return http_value(step_json(study_.facts.chains->design, *assigned.step));
+  if (assigned.reason == NoStep::finished)
+    return http_refusal(409, "finished", "all chains are complete",
+                        "no further answers are needed");
+  HttpResponse response = http_refusal(503, "busy", "all open steps are with other participants",
+                                       "ask again in a few seconds");
+  response.headers["Retry-After"] = "2";
+  return response;
+}
+
 /// Only the browser in which the session was begun may withdraw; again, it has the same answer.
 HttpResponse QuestionnaireService::take_withdrawal(const HttpRequest& request, int session) {
   const std::optional<std::string> browser = text_in(request, "session");
@@ -235,9 +268,10 @@ HttpResponse QuestionnaireService::keep_record(int session, const PageRecord& re
                                                const std::string& content) {
   const SubmissionResult given = sessions_.submit(session, record, content);
   if (!given.is_other_browser) set_last_failure("");
-  if (given.is_other_browser)
-    return http_refusal(409, "elsewhere", "this session was started in another browser",
-                        "continue there, or ask for another link");
+  if (given.is_other_browser) return other_browser();
+  if (given.is_taken)
+    return http_refusal(409, "taken", "somebody else has answered this step in the meantime",
+                        "ask for another step");
   if (given.ended)
     return http_refusal(409, std::string(word_of(session_end_words, *given.ended)),
                         "the session has ended", "no further answers are accepted");

@@ -24,7 +24,8 @@ struct ServiceRates {
 ///   /s/<link>/session.json        content of the page and progress of the session
 ///   /s/<link>/records/<name>      POST: a record
 ///   /s/<link>/withdrawal          POST: deletes the participant's answers
-///   /s/<link>/live/…              motions of a matching experiment (live_motions.h)
+///   /s/<link>/live/…              motions of a matching or adaptive experiment (live_motions.h)
+///   /s/<link>/step/<trial>        POST: assigns a step of a chain across participants
 ///   /media/<token>                a video or 3-D clip
 ///   /join/<link>/                 the page that asks for consent before a session is assigned
 ///   /join/<link>/records/consent  POST: consent; the response has the link of a session
@@ -55,6 +56,8 @@ class QuestionnaireService {
   HttpResponse answer_in_session(const HttpRequest& request, int session);
   HttpResponse answer_live(const HttpRequest& request);
   HttpResponse take_record(const HttpRequest& request, int session);
+  bool has_shared_chains() const;
+  HttpResponse assign_step(const HttpRequest& request, int session);
   HttpResponse take_withdrawal(const HttpRequest& request, int session);
   HttpResponse keep_record(int session, const PageRecord& record, const std::string& content);
   /// The salt of pseudonyms, if the study keeps hashes of URL parameters.

@@ -14,6 +14,17 @@ namespace mien::pipeline {
 
 namespace {
 
+/// The answer of a record to a step of a chain across participants.
+std::optional<StoredStep> stored_step(int session, const PageRecord& record) {
+  if (!record.chain) return std::nullopt;
+  const ChainRecord& answer = *record.chain;
+  return StoredStep{.chain = ChainName{answer.word, answer.chain, ""}.key(),
+                    .step = answer.step,
+                    .person = answer.person,
+                    .content = chain_json(answer).dump(),
+                    .session = session};
+}
+
 /// Limits of sessions for each planned one: of those that did not end early, and of all.
 constexpr std::size_t max_sessions_per_plan = 4;
 constexpr std::size_t max_all_sessions_per_plan = 40;
@@ -64,6 +75,10 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
   join_link_ = store_.fact(join_fact).value();
   salt_ = store_.fact(salt_fact).value_or("");
   load();
+  if (!study_.facts.chains || !study_.facts.chains->across_participants) return;
+  chains_.emplace(*study_.facts.chains);
+  for (const StoredStep& step : store_.steps())
+    chains_->add(step.session.value_or(-1), read_chain_record(nlohmann::json::parse(step.content)));
 }
 
 void StudySessions::begin() {
@@ -150,6 +165,11 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
   const bool is_stored_before = position < static_cast<std::ptrdiff_t>(state.stored);
   if (state.ended && !is_stored_before) return {.ended = state.ended};
+  std::optional<StoredStep> step;
+  if (chains_ && !is_stored_before && is_chain_trial(state, record)) {
+    if (!is_step_open(session, record)) return {.is_taken = true};
+    step = stored_step(session, record);
+  }
   const bool is_turned_away =
       record.name == screening_record && fault_of(record) != ScreeningFault::none;
   const std::string ended =
@@ -159,14 +179,43 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
                                              .name = record.name,
                                              .content = content,
                                              .stored_at = iso_time(state.last_seen)},
-                                            ended);
+                                            ended, step);
   if (outcome == RecordOutcome::stored) {
+    if (step) chains_->add(session, *record.chain);
     if (is_turned_away) state.ended = SessionEnd::screened_out;
     count(state, record);
     mark_begun(state);
   }
   const bool is_over = state.has_finished() || state.ended.has_value();
   return {.outcome = outcome, .next = is_over ? "" : state.names[state.stored]};
+}
+
+/// Practice is not part of a chain across participants.
+bool StudySessions::is_chain_trial(const SessionState& state, const PageRecord& record) const {
+  const SessionPlan plan = plan_of(state.session);
+  const Trial* trial = trial_of(plan, record.name);
+  return trial != nullptr && !trial->practice;
+}
+
+/// Without a step, all chains must be complete.
+bool StudySessions::is_step_open(int session, const PageRecord& record) const {
+  return record.chain ? chains_->is_open(session, *record.chain, clock_()) : chains_->is_finished();
+}
+
+StepAssignment StudySessions::assign_step(int session, const std::string& browser,
+                                          const std::string& trial) {
+  const std::lock_guard lock(mutex_);
+  const SessionState& state = states_.at(static_cast<std::size_t>(session));
+  StepAssignment assigned;
+  assigned.is_other_browser = state.stored == 0 || state.browser != browser;
+  if (!assigned.is_other_browser)
+    assigned.step = chains_->assign(session, trial, clock_(), assigned.reason);
+  return assigned;
+}
+
+std::pair<int, int> StudySessions::step_progress() const {
+  const std::lock_guard lock(mutex_);
+  return chains_ ? std::pair(chains_->complete_steps(), chains_->all_steps()) : std::pair(0, 0);
 }
 
 ScreeningFault StudySessions::fault_of(const PageRecord& record) const {

@@ -6,11 +6,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/study/questionnaire/service/live_results.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
 #include "pipeline/study/questionnaire/service/served_study.h"
+#include "pipeline/study/questionnaire/service/shared_chains.h"
 #include "pipeline/study/server/session_store.h"
 
 namespace mien::pipeline {
@@ -52,6 +54,15 @@ struct SubmissionResult {
   std::string next;
   std::optional<SessionEnd> ended;  ///< the session ended early; further records are refused
   bool is_other_browser = false;    ///< the session was begun in another browser
+  bool is_taken = false;  ///< somebody else has answered the step of the chain, or it is no longer
+                          ///< the present one
+};
+
+/// The step that a trial of a chain across participants is given.
+struct StepAssignment {
+  std::optional<AssignedStep> step;
+  NoStep reason = NoStep::busy;   ///< if there is none
+  bool is_other_browser = false;  ///< the session was begun in another browser
 };
 
 /// The sessions of a served study: links and progress. Thread-safe.
@@ -75,6 +86,11 @@ class StudySessions {
   /// screening that turns the participant away (screening_record.h), or a quota that is full, ends
   /// the session.
   SubmissionResult submit(int session, const PageRecord& record, const std::string& content);
+
+  /// The step for a trial (SharedChains::assign). The study must have chains across participants.
+  StepAssignment assign_step(int session, const std::string& browser, const std::string& trial);
+  /// The numbers of complete steps and of all steps of chains across participants; 0 without them.
+  std::pair<int, int> step_progress() const;
 
   /// Deletes all that is stored of a session and ends it as withdrawn; only its number and link
   /// remain. Returns the number of deleted records. Throws WriteFailure as SessionStore does.
@@ -121,6 +137,8 @@ class StudySessions {
   void add_state(const StoredSession& session);
   void count(SessionState& state, const PageRecord& record);
   bool is_full() const;
+  bool is_chain_trial(const SessionState& state, const PageRecord& record) const;
+  bool is_step_open(int session, const PageRecord& record) const;
   StoredSession additional_session() const;
 
   const ServedStudy& study_;
@@ -132,6 +150,7 @@ class StudySessions {
   std::map<std::string, int> by_link_;
   std::set<std::string> refused_browsers_;  ///< of count_refusal
   LiveResults results_;
+  std::optional<SharedChains> chains_;  ///< those that go across participants
 };
 
 }  // namespace mien::pipeline

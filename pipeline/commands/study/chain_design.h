@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/commands/line/console.h"
+#include "pipeline/manifest/manifest.h"
+
+namespace mien::pipeline {
+
+struct ChainDesignCommand {
+  int participants = 0;         ///< 0: the number planned in the manifest
+  std::filesystem::path plans;  ///< CSV to write; empty: standard output
+};
+
+/// Plans the sessions of an adaptive experiment, writes the plans, and prints the dimensions with
+/// their ranges, the number of answers that the chains need, and the duration. Returns the exit
+/// code.
+int design_chains(const Manifest& manifest, const ChainDesignCommand& design,
+                  const Console& console);
+
+}  // namespace mien::pipeline

@@ -1,0 +1,149 @@
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/table.h"
+#include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/study/new_tables.h"
+#include "pipeline/commands/study/study.h"
+#include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/manifest/reading/manifest_yaml.h"
+#include "pipeline/study/analysis/scales_yaml.h"
+#include "pipeline/study/chains/experiment/chain_results.h"
+#include "pipeline/study/chains/experiment/word_prototypes.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ChainsCommand {
+  std::string manifest;
+  std::vector<std::string> files;
+  std::string out;
+  int discarded = -1;
+};
+
+std::string number_text(double value, const char* form) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(form), value) : "–";
+}
+
+void show(const ChainResults& results, const Console& console) {
+  if (results.simulated) console.out << "simulated answers\n";
+  for (const WordSamples& word : results.words) {
+    console.out << fmt::format(
+        "{}: {}, {}\n", word.word,
+        counted_noun(static_cast<std::size_t>(word.chains), "chain", "chains"),
+        counted_noun(static_cast<std::size_t>(word.samples), "sample", "samples"));
+    for (std::size_t d = 0; d < word.dimensions.size(); ++d) {
+      const DimensionSamples& of = word.dimensions[d];
+      const bool has_ends = std::isfinite(of.mean.ends.low);
+      console.out << fmt::format(
+          "  {:28} {:.3f} {:16} SD {:.3f}  R̂ {}\n", results.design.dimensions[d], of.mean.mean,
+          has_ends ? fmt::format("[{:.3f}, {:.3f}]", of.mean.ends.low, of.mean.ends.high) : "",
+          of.deviation, number_text(of.r_hat, "{:.2f}"));
+    }
+  }
+  for (const WordDistance& one : results.distances)
+    console.out << fmt::format("{} and {}: {:.2f} of the ranges apart ({} standard deviations)\n",
+                               one.first, one.second, one.distance,
+                               number_text(one.standardised, "{:.1f}"));
+}
+
+/// What may make results useless, on standard error.
+void remark(const ChainResults& results, const Console& console) {
+  if (results.incomplete > 0)
+    console.err << fmt::format(
+        "note: {} not complete and left out\n",
+        counted_noun(static_cast<std::size_t>(results.incomplete), "chain is", "chains are"));
+  for (const WordSamples& word : results.words) {
+    double worst = 0.0;
+    for (const DimensionSamples& of : word.dimensions)
+      if (of.r_hat > worst) worst = of.r_hat;
+    if (worst > 1.1)
+      console.err << fmt::format(
+          "warning: the chains of {} have not converged to the same distribution (R̂ up to "
+          "{:.2f}); its prototype depends on where they started\n",
+          word.word, worst);
+  }
+}
+
+/// Scales, ratings and manifest: names and contents.
+std::vector<NewTable> prototype_files(const Manifest& manifest, const ChainStudy& study,
+                                      const ChainResults& results, const fs::path& folder) {
+  const ScaleSet scales = word_scales(manifest);
+  const std::string head =
+      "The words of an adaptive experiment as scales, made by mien study chains";
+  Manifest prototypes =
+      prototype_manifest(manifest, study, results, fs::absolute(folder / "words.scales.yaml"));
+  std::string comment = "# Prototypes of words, made by mien study chains";
+  comment += results.simulated ? " from simulated answers.\n" : ".\n";
+  return {{folder / "words.scales.yaml", to_yaml(scales, head)},
+          {folder / "words.ratings.csv", word_ratings_csv(study, results, scales)},
+          {folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)}};
+}
+
+int analyse_chains(const ChainsCommand& command, const Console& console) {
+  const Manifest manifest = participants_manifest(command.manifest, console);
+  const Adaptive& adaptive = adaptive_of(manifest);
+  Motions motions(manifest);
+  const ChainStudy study = chain_study(manifest, motions);
+  const ChainAnswers answers =
+      read_chain_answers({command.files.begin(), command.files.end()}, study);
+  const ChainResults results = chain_results(
+      study, answers,
+      {.discarded = command.discarded, .across_participants = adaptive.across_participants});
+  const fs::path folder = command.out;
+  const std::vector<NewTable> files = prototype_files(manifest, study, results, folder);
+  refuse_data_loss(files, {command.files.begin(), command.files.end()});
+  make_folder(folder);
+  write_tables(folder, chain_tables(results));
+  write_plot(chains_plot(results), folder, "chains");
+  write_plot(prototypes_plot(results), folder, "prototypes");
+  for (const NewTable& file : files) write_file(file.file, file.csv);
+  show(results, console);
+  remark(results, console);
+  console.out << folder.string() << '\n';
+  return exit_done;
+}
+
+}  // namespace
+
+Command study_chains_command() {
+  const auto options = std::make_shared<ChainsCommand>();
+  return {.name = "chains",
+          .summary =
+              "Analyse an adaptive experiment: what each word looks like, and whether chains "
+              "agree",
+          .options =
+              {argument("manifest", &options->manifest, study_manifest_help),
+               argument("steps", &options->files, "Answers: one table of steps (CSV) or several"),
+               option("-o,--output", &options->out, "Folder for the results").required(),
+               option("--discard", &options->discarded,
+                      "Sweeps (of choices: steps) at the beginning of each chain that are not used "
+                      "as samples (default: the first half)")
+                   .between(0, 1000)},
+          .notes =
+              "Writes samples.csv, prototypes.csv and distances.csv with a codebook, the figures "
+              "chains and prototypes\n"
+              "as .pdf, .svg and .png, and what manifests take: words.scales.yaml and "
+              "words.ratings.csv for examples, so\n"
+              "that stimuli can have adjectives: {sad: 0.8}, and prototypes.yaml, which makes a "
+              "film of each word and\n"
+              "asks for ratings of them.\n\n"
+              "Examples:\n"
+              "  mien study simulate gibbs-words -o steps.csv\n"
+              "  mien study chains gibbs-words steps.csv -o chains\n"
+              "  mien run chains/prototypes.yaml",
+          .run = [options](const Console& console) { return analyse_chains(*options, console); }};
+}
+
+}  // namespace mien::pipeline

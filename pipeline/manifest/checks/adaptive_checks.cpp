@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/adaptive_plan.h"
+#include "pipeline/manifest/checks/part_checks.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+using Kind = MotionSpace::Kind;
+
+/// Bounds of the work that an experiment asks of one participant and of all.
+constexpr double max_trials = 2000;
+constexpr double max_steps = 1e6;
+
+/// Checks an adaptive experiment against the rest of its manifest.
+class AdaptiveCheck {
+ public:
+  explicit AdaptiveCheck(const Manifest& manifest)
+      : manifest_(manifest), adaptive_(*manifest.adaptive), list_(manifest.places) {}
+
+  std::vector<Fault> faults() {
+    if (manifest_.questionnaire || manifest_.matching)
+      list_.add("adaptive",
+                manifest_.questionnaire ? "there is also a questionnaire"
+                                        : "there is also a matching experiment",
+                "a manifest has one of them; use separate manifests");
+    check_dimensions();
+    check_settings();
+    if (dimension_count(manifest_) > 0) check_length();
+    check_demographics();
+    return list_.take();
+  }
+
+ private:
+  static std::string at(const char* key) { return member_path("adaptive", key); }
+
+  void check_dimensions() {
+    const MotionSpace& space = adaptive_.space;
+    const std::string key(word_of(space_words, space.kind));
+    const std::string path = member_path(at("space"), key);
+    const std::vector<std::string> known = known_dimensions(manifest_, space.kind);
+    if (space.kind == Kind::groups && known.empty())
+      list_.add(path, "the study's scales have no groups", "name scales: {scales: […]}");
+    // Examples of a missing folder are not known.
+    if (!known.empty())
+      for (std::size_t i = 0; i < space.names.size(); ++i)
+        list_.check_known_name(element_path(path, i), space.names[i], noun_of(space.kind), known);
+    if (space.kind == Kind::weights && space.names.size() == 1)
+      list_.add(path, "the weight of a single example changes nothing",
+                "name two examples or more");
+  }
+
+  static const char* noun_of(Kind kind) {
+    if (kind == Kind::groups) return "group";
+    if (kind == Kind::scales) return "scale";
+    return kind == Kind::features ? "feature" : "example";
+  }
+
+  /// What is given although it has no effect.
+  void refuse_unused(const char* key, bool is_used, const char* wrong, const char* remedy) {
+    if (!is_used && manifest_.places.values.contains(at(key))) list_.add(at(key), wrong, remedy);
+  }
+
+  void check_settings() {
+    const bool is_across = adaptive_.across_participants;
+    const bool is_gibbs = adaptive_.method == ChainMethod::gibbs;
+    constexpr char own_chains[] = "has no effect, because each participant has chains of their own";
+    constexpr char go_across[] = "add across_participants: true, or remove it";
+    refuse_unused("trials_per_participant", is_across, own_chains, go_across);
+    refuse_unused("answer_within_s", is_across, own_chains, go_across);
+    refuse_unused("people_per_step", is_across, own_chains, go_across);
+    refuse_unused("deviation", !is_gibbs, "has no effect in Gibbs sampling", "remove it");
+    refuse_unused("aggregate", adaptive_.people_per_step > 1,
+                  "has no effect, because one person answers each step",
+                  "add people_per_step, or remove it");
+    if (!is_gibbs && adaptive_.people_per_step > 1)
+      list_.add(at("people_per_step"), "choices of several people cannot be combined",
+                "remove it, or use method: gibbs");
+    if (adaptive_.people_per_step > adaptive_.participants)
+      list_.add(at("people_per_step"), "is more than the number of participants",
+                "plan for more participants, or for fewer people per step");
+  }
+
+  void check_length() {
+    const double steps = chain_steps(manifest_);
+    const double chains = static_cast<double>(adaptive_.words.size()) * adaptive_.chains;
+    if (!adaptive_.across_participants && steps * chains > max_trials)
+      list_.add(
+          at("iterations"),
+          fmt::format("each participant would have {:.0f} trials; at most {:.0f} are possible",
+                      steps * chains, max_trials),
+          "use fewer iterations, chains or words, or across_participants: true");
+    if (steps * chains * adaptive_.people_per_step > max_steps)
+      list_.add(at("iterations"),
+                fmt::format("{:.0f} answers are needed; at most {:.0f} are possible",
+                            steps * chains * adaptive_.people_per_step, max_steps),
+                "use fewer iterations, chains, words or people per step");
+  }
+
+  void check_demographics() {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < adaptive_.demographics.size(); ++i)
+      if (!taken.insert(adaptive_.demographics[i].id).second)
+        list_.add(member_path(element_path(at("demographics"), i), "id"),
+                  "another question has this id", "give each a different one");
+  }
+
+  const Manifest& manifest_;
+  const Adaptive& adaptive_;
+  FaultList list_;
+};
+
+}  // namespace
+
+std::vector<Fault> check_adaptive(const Manifest& manifest) {
+  return manifest.adaptive ? AdaptiveCheck(manifest).faults() : std::vector<Fault>();
+}
+
+}  // namespace mien::pipeline

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include "pipeline/study/chains/experiment/chain_results.h"
+#include "pipeline/study/questionnaire/service/chain_rows.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+struct SampleRow {
+  const ChainResults& results;
+  const ChainPath& path;
+  std::size_t step;
+  std::size_t dimension;
+
+  std::size_t sweep() const {
+    const bool is_gibbs = results.design.method == ChainMethod::gibbs;
+    return is_gibbs ? step / results.design.dimensions.size() : step;
+  }
+};
+
+constexpr auto samples_columns = table_of<SampleRow>(
+    "samples.csv", "step of a chain and dimension",
+    {{"word", "", "id of the word", [](auto& r) { return r.path.name.word; }},
+     {"participant", "", "participant of the chain; empty if it goes across participants",
+      [](auto& r) { return r.path.name.participant; }},
+     {"chain", "", "number of the chain, from 1", [](auto& r) { return r.path.name.chain; }},
+     {"step", "", "step of the chain, from 0", [](auto& r) { return r.step; }},
+     {"sweep", "", "sweep over the dimensions, from 0; of choices, the step",
+      [](auto& r) { return r.sweep(); }},
+     {"is_discarded", "0/1", "1: at the beginning of the chain, and not used",
+      [](auto& r) { return static_cast<int>(r.sweep()) < r.results.discarded; }},
+     {"dimension", "", "dimension of the space",
+      [](auto& r) { return r.results.design.dimensions[r.dimension]; }},
+     {"value", "0–1", "value after the step",
+      [](auto& r) { return r.path.points[r.step][r.dimension]; }},
+     {"simulated", "0/1", "1: simulated answers", [](auto& r) { return r.results.simulated; }}});
+
+struct PrototypeRow {
+  const ChainResults& results;
+  const WordSamples& word;
+  std::size_t dimension;
+
+  const DimensionSamples& of() const { return word.dimensions[dimension]; }
+};
+
+constexpr auto prototypes_columns = table_of<PrototypeRow>(
+    "prototypes.csv", "word and dimension",
+    {{"word", "", "id of the word", [](auto& r) { return r.word.word; }},
+     {"dimension", "", "dimension of the space",
+      [](auto& r) { return r.results.design.dimensions[r.dimension]; }},
+     {"mean", "0–1", "mean of the samples: the prototype",
+      [](auto& r) { return r.of().mean.mean; }},
+     {"low_95", "0–1",
+      "lower end of the 95 % confidence interval of the mean, from the means of the "
+      "chains by the t distribution; empty with one chain",
+      [](auto& r) { return r.of().mean.ends.low; }},
+     {"high_95", "0–1", "its upper end", [](auto& r) { return r.of().mean.ends.high; }},
+     {"sd", "0–1", "standard deviation of the samples", [](auto& r) { return r.of().deviation; }},
+     {"q05", "0–1", "quantile 0.05 of the samples", [](auto& r) { return r.of().low; }},
+     {"median", "0–1", "median of the samples", [](auto& r) { return r.of().median; }},
+     {"q95", "0–1", "quantile 0.95 of the samples", [](auto& r) { return r.of().high; }},
+     {"range_low", "0–1", "lower end of the dimension",
+      [](auto& r) { return r.results.design.space[r.dimension].low; }},
+     {"range_high", "0–1", "its upper end",
+      [](auto& r) { return r.results.design.space[r.dimension].high; }},
+     {"chains", "", "number of chains", [](auto& r) { return r.word.chains; }},
+     {"samples", "", "number of samples of all chains", [](auto& r) { return r.word.samples; }},
+     {"r_hat", "",
+      "potential scale reduction factor of the chains: near 1 if they agree, above 1.1 "
+      "if they have not converged; empty if unknown",
+      [](auto& r) { return r.of().r_hat; }},
+     {"effective_samples", "",
+      "number of independent samples that would determine the mean as well; "
+      "empty if unknown",
+      [](auto& r) { return r.of().effective; }},
+     {"simulated", "0/1", "1: simulated answers", [](auto& r) { return r.results.simulated; }}});
+
+struct DistanceRow {
+  const ChainResults& results;
+  const WordDistance& of;
+};
+
+constexpr auto distances_columns = table_of<DistanceRow>(
+    "distances.csv", "pair of words",
+    {{"first", "", "id of a word", [](auto& r) { return r.of.first; }},
+     {"second", "", "id of the other word", [](auto& r) { return r.of.second; }},
+     {"distance", "",
+      "distance of the prototypes as a share of the dimensions' ranges (root mean "
+      "square)",
+      [](auto& r) { return r.of.distance; }},
+     {"standardised", "",
+      "the same in standard deviations of the samples within words; empty if "
+      "these do not vary",
+      [](auto& r) { return r.of.standardised; }},
+     {"simulated", "0/1", "1: simulated answers", [](auto& r) { return r.results.simulated; }}});
+
+}  // namespace
+
+std::vector<WrittenTable> chain_tables(const ChainResults& results) {
+  std::vector<SampleRow> samples;
+  for (const ChainPath& path : results.paths)
+    for (std::size_t step = 0; step < path.points.size(); ++step)
+      for (std::size_t d = 0; d < results.design.dimensions.size(); ++d)
+        samples.push_back({results, path, step, d});
+  std::vector<PrototypeRow> prototypes;
+  for (const WordSamples& word : results.words)
+    for (std::size_t d = 0; d < word.dimensions.size(); ++d)
+      prototypes.push_back({results, word, d});
+  std::vector<DistanceRow> distances;
+  for (const WordDistance& one : results.distances) distances.push_back({results, one});
+  return {samples_columns.of(samples), prototypes_columns.of(prototypes),
+          distances_columns.of(distances)};
+}
+
+}  // namespace mien::pipeline
