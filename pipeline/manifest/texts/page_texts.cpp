@@ -213,7 +213,7 @@ const json* member_of(const json& document, const char* key) {
 
 std::vector<Fault> head_faults(const json& document, const Places& places) {
   FaultList list(places);
-  const Names known = {"language", "complete_from", "direction",  "questionnaire",
+  const Names known = {"language", "complete_from", "direction", "questionnaire",
                        "matching", "in_matching",   "chains"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(known, key) == known.end())

@@ -4,7 +4,7 @@ import { placeOf } from "../live_study/experiment";
 import { LiveSession } from "../live_study/live_session";
 import { runLiveStudy } from "../live_study/live_study";
 import { Declined, post } from "../questionnaire/store";
-import { base } from "../questionnaire/surroundings";
+import { base, root } from "../questionnaire/surroundings";
 import { checkedChains, type ChainExperiment, type ChainSession, type ChainTrial } from "./experiment";
 import { OwnAnswers } from "./own_answers";
 import { stepsCsv } from "./rows";
@@ -52,7 +52,7 @@ class Session extends LiveSession<ChainSession, ChainExperiment> {
     let said: string | undefined;
     for (;;) {
       const attempt = attemptAt(experiment, store.name, trial.number);
-      const step = await this.stepOf(trial, page.element);
+      const step = await this.stepOf(trial);
       const { answer, measures } = await page.run(step, this.progressAt(trial),
         said ?? (attempt > 1 ? words.begunAnew : ""));
       const record = { record: `trial-${trial.number}`, session: store.name, responses: [], comment: "", ...measures,
@@ -68,13 +68,15 @@ class Session extends LiveSession<ChainSession, ChainExperiment> {
   }
 
   /** From the plan or, where chains run across participants, from the server. */
-  private async stepOf(trial: ChainTrial, page: HTMLElement): Promise<Step> {
+  private async stepOf(trial: ChainTrial): Promise<Step> {
     const { experiment, store } = this;
     if (trial.practice || !experiment.chains.across_participants)
       return plannedStep(experiment.chains, store.session, trial, this.answers.all());
     if (this.parts.mode !== "served")
       throw new Error("The chains of this experiment run across participants, which needs a server: mien study serve.");
-    return this.sent(page, (wait) => post<Step>(`${base()}step/trial-${trial.number}`, { session: store.name }, wait));
+    const shown = root().querySelector("article") ?? root();
+    return this.sent(shown, (wait) => post<Step>(`${base()}step/trial-${trial.number}`, { session: store.name }, wait),
+      this.chainWords.othersAnswer);
   }
 
   /** All chains are complete: trials that are left have no step. */

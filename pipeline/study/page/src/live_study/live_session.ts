@@ -4,7 +4,7 @@ import { button, element, heading } from "../questionnaire/elements";
 import type { PageRecord } from "../questionnaire/experiment";
 import { isTouched } from "../questionnaire/measures";
 import { mayWithdraw } from "../questionnaire/session_page";
-import { Declined, type Store } from "../questionnaire/store";
+import { Declined, type Store, type Wait } from "../questionnaire/store";
 import { root, show, showClosed, type Mode } from "../questionnaire/surroundings";
 import { pageRecord, showTextPage, waitNote, type AskedPage, type GivenOnPage } from "../questionnaire/text_view";
 import type { Texts } from "../questionnaire/texts";
@@ -13,7 +13,6 @@ import type { LiveExperiment, LivePlan } from "./experiment";
 import { matchingTexts, type MatchingTexts } from "./texts";
 
 type Page = Omit<AskedPage, "words">;
-type Wait = (why: "saving" | "failed") => void;
 
 /** What a session is made of. */
 export interface SessionParts<Plan extends LivePlan, Own extends LiveExperiment<Plan>> {
@@ -80,10 +79,12 @@ export abstract class LiveSession<Plan extends LivePlan, Own extends LiveExperim
     return this.sent(page, (wait) => this.store.keep(record, wait));
   }
 
-  /** What comes of sending something; where nothing more is accepted, it says why and does not return. */
-  protected async sent<Answer>(page: HTMLElement, send: (wait: Wait) => Promise<Answer>): Promise<Answer> {
+  /** What comes of sending something; where nothing more is accepted, it says why and does not return. `busy` is said
+      while a server waits for others. */
+  protected async sent<Answer>(
+    page: HTMLElement, send: (wait: Wait) => Promise<Answer>, busy?: string): Promise<Answer> {
     try {
-      return await send(waitNote(page, this.texts));
+      return await send(waitNote(page, this.texts, busy));
     } catch (error) {
       if (error instanceof Declined) throw error;
       showClosed(error, this.texts);

@@ -2,6 +2,9 @@ import type { Destination, PageRecord, Planned, Session, SessionEnd } from "./ex
 
 type Named = { participant: string };
 
+/** Told that something takes long, and why: the connection is slow or lost, or a server waits for others. */
+export type Wait = (why: "saving" | "failed" | "busy") => void;
+
 /** Where the records of a session are kept while it lasts. */
 export interface Store<Own extends Named = Session> {
   session: Own;
@@ -12,7 +15,7 @@ export interface Store<Own extends Named = Session> {
   /** Names of all that is kept, also where the records themselves cannot be seen again. */
   kept: Set<string>;
   /** Returns once the record is safe. `wait` is told when that takes long, and why. */
-  keep(record: PageRecord, wait: (why: "saving" | "failed") => void): Promise<void>;
+  keep(record: PageRecord, wait: Wait): Promise<void>;
   /** After the last record. */
   finish(): Promise<void>;
   /** Where the participant is sent to, once a server has told it. */
@@ -187,8 +190,6 @@ export function folderStore<Own extends Named>(
   };
 }
 
-export type Wait = (why: "saving" | "failed") => void;
-
 /** Errors of a server that say that no further answers are accepted from this window. */
 const closing: Record<string, SessionClosed["why"]> = {
   elsewhere: "elsewhere",
@@ -218,6 +219,7 @@ const posted = (address: string, value: unknown): Promise<Response> =>
 export async function post<Answer = Answered>(address: string, value: unknown, wait: Wait): Promise<Answer> {
   for (let tries = 0; ; tries += 1) {
     const slow = setTimeout(() => wait("saving"), 400);
+    let isBusy = false;
     try {
       const answer = await posted(address, value);
       const said = (await answer.json().catch(() => ({}))) as Answer & { error?: string; wrong?: string };
@@ -227,13 +229,14 @@ export async function post<Answer = Answered>(address: string, value: unknown, w
       if (answer.status === 409 && (said.error === "taken" || said.error === "finished")) throw new Declined(said.error);
       if (![408, 429, 500, 502, 503, 504, 507].includes(answer.status))
         throw new RefusedRecord(said.wrong ?? `The server refused an answer (${answer.status}).`);
+      isBusy = answer.status === 503 && said.error === "busy";
     } catch (error) {
       if (error instanceof RefusedRecord || error instanceof SessionClosed || error instanceof Declined) throw error;
     } finally {
       clearTimeout(slow);
     }
-    wait("failed");
-    await pause(Math.min(500 * 1.6 ** tries, 10000));
+    wait(isBusy ? "busy" : "failed");
+    await pause(isBusy ? 2000 : Math.min(500 * 1.6 ** tries, 10000));
   }
 }
 

@@ -28,8 +28,12 @@ async function withMotion(page, change) {
     { timeout: 20000 });
 }
 
-/** The place of the slider, from 0 on the left, that somebody chooses in the trial of that count. */
-const placeOf = (count) => 0.15 + 0.7 * ((0.37 * count) % 1);
+/** The place of the slider, from 0 on the left, that somebody chooses in the trial of that count: away from where it
+    stands. */
+function placeOf(count, standing) {
+  const place = 0.15 + 0.7 * ((0.37 * count) % 1);
+  return Math.abs(place - standing) > 0.1 ? place : place + (place > 0.5 ? -0.25 : 0.25);
+}
 
 async function slide(page, how, count) {
   const slider = page.locator(".slider-control input");
@@ -42,7 +46,8 @@ async function slide(page, how, count) {
     return page.keyboard.press("Enter");
   }
   const box = await slider.boundingBox();
-  const at = { x: box.x + placeOf(count) * box.width, y: box.y + box.height / 2 };
+  const place = placeOf(count, Number(await slider.inputValue()));
+  const at = { x: box.x + place * box.width, y: box.y + box.height / 2 };
   await withMotion(page, () => (how === "touch" ? page.touchscreen.tap(at.x, at.y) : page.mouse.click(at.x, at.y)));
   await (how === "touch" ? page.locator(".slider-control .main").tap() : page.locator(".slider-control .main").click());
 }

@@ -9,6 +9,7 @@
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/ratings/answers/trace_table.h"
 #include "pipeline/study/questionnaire/balance.h"
+#include "pipeline/study/questionnaire/service/chain_rows.h"
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 
 namespace mien::pipeline {
@@ -33,7 +34,8 @@ TEST(DeclaredTables, HaveTheColumnsOfThePages) {
             in_typescript("answerColumns", answer_form) +
                 in_typescript("participantColumns", participant_form) +
                 in_typescript("trialColumns", matching_trials_form) +
-                in_typescript("changeColumns", matching_changes_form));
+                in_typescript("changeColumns", matching_changes_form) +
+                in_typescript("stepColumns", chain_steps_form));
 }
 
 TEST(DeclaredTables, ArePagesOfTheManual) {
