@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/browser.h"
+#include "end_to_end/live_page.h"
 #include "end_to_end/program.h"
 
 namespace mien::test {
@@ -15,9 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-constexpr char no_core[] =
-    "no motion core for browsers here: ./mien test makes it where em++ is installed";
 
 constexpr char walks_text[] = R"(mien: 1
 study: alike
@@ -35,69 +32,10 @@ constexpr char matching_text[] = R"(matching:
   ending: Thank you.
 )";
 
-fs::path matching_scenarios() {
-  return fs::path(MIEN_PROGRAM).parent_path() / "pages/work/tests/matching/scenarios.mjs";
-}
-
-fs::path browser_core() {
-  return fs::path(MIEN_PROGRAM).parent_path() / "pages/live_core/live_core.wasm";
-}
-
-/// An experiment that is served or was exported, and people who take it in Chromium.
-class MatchingPage : public testing::Test {
+/// Participants of a matching experiment.
+class MatchingPage : public LivePage {
  protected:
-  static std::string skip_reason() {
-    if (chromium().empty()) return "no Chromium here: install it to test pages";
-    if (run_program({"node", "--version"}).code != 0) return "no Node.js here";
-    if (!fs::exists(matching_scenarios().parent_path() / "../../node_modules/playwright-core"))
-      return "no playwright-core in build/release/pages/work: ./mien test brings it";
-    return "";
-  }
-
-  void SetUp() override {
-    if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
-    scratch.write("alike.yaml", std::string(walks_text) + matching_text);
-  }
-
-  fs::path study() const { return scratch.path() / "alike.yaml"; }
-  fs::path folder() const { return scratch.path() / "experiment"; }
-
-  /// Whether there is what an export needs; exports then.
-  bool is_exported() {
-    if (!fs::exists(browser_core())) return false;
-    const Ended ended =
-        run_mien({"study", "export", study().string(), "-o", folder().string()}, 60.0);
-    EXPECT_EQ(ended.code, 0) << ended.errors;
-    return true;
-  }
-
-  /// The link of the first participant, of a server that keeps what comes in that store.
-  static std::string first_link(const fs::path& store) {
-    fs::path links = store;
-    links.replace_filename(store.stem().string() + "-links.csv");
-    for (int tries = 0; tries < 600; ++tries) {
-      pause_for(0.1);
-      if (!fs::exists(links)) continue;
-      const std::string text = text_of(links);
-      const std::size_t begin = text.find("http://");
-      if (begin != text.npos) return text.substr(begin, text.find('\n', begin) - begin);
-    }
-    ADD_FAILURE() << "no link in " << links;
-    return "";
-  }
-
-  json played(const std::string& scenario, const std::string& where) {
-    const std::string said = run_program({"sh", "-c", "command -v " + chromium()}).output;
-    const Ended ended = run_program({"env", "MIEN_CHROMIUM=" + said.substr(0, said.find('\n')),
-                                     "node", matching_scenarios().string(), scenario, where},
-                                    500.0);
-    EXPECT_EQ(ended.code, 0) << ended.errors;
-    const json told = json::parse(ended.output, nullptr, false);
-    if (told.contains("troubles")) {
-      EXPECT_EQ(told.at("troubles"), json::array());
-    }
-    return told;
-  }
+  MatchingPage() : LivePage("matching", std::string(walks_text) + matching_text) {}
 
   /// Every trial has been matched, and D is what the written clips have.
   void expect_matches(const json& records) {
@@ -151,13 +89,11 @@ class MatchingPage : public testing::Test {
     }
     return kind + ": {" + all + "}";
   }
-
-  Scratch scratch;
 };
 
 TEST_F(MatchingPage, IsMatchedWithEveryInterfaceWithoutAServer) {
-  if (!is_exported()) GTEST_SKIP() << no_core;
-  const json told = played("whole", folder().string());
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("whole");
   EXPECT_EQ(told.at("requests"), 0);
   expect_matches(json::parse(told.at("records").get<std::string>()).at("records"));
   const fs::path trials = scratch.write("trials.csv", told.at("trials").get<std::string>());
@@ -168,8 +104,8 @@ TEST_F(MatchingPage, IsMatchedWithEveryInterfaceWithoutAServer) {
 }
 
 TEST_F(MatchingPage, GoesOnAfterAReloadAndTellsIt) {
-  if (!is_exported()) GTEST_SKIP() << no_core;
-  const json told = played("reload", folder().string());
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("reload");
   EXPECT_EQ(told.at("reloads"), 1);
   const json records = json::parse(told.at("records").get<std::string>()).at("records");
   EXPECT_EQ(records.at("trial-1").at("matching").at("attempt"), 2);
@@ -177,26 +113,24 @@ TEST_F(MatchingPage, GoesOnAfterAReloadAndTellsIt) {
 }
 
 TEST_F(MatchingPage, IsWorkedByKeyboardAlone) {
-  if (!is_exported()) GTEST_SKIP() << no_core;
-  const json told = played("keys", folder().string());
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("keys");
   const json records = json::parse(told.at("records").get<std::string>()).at("records");
   for (const char* trial : {"trial-1", "trial-2", "trial-3"})
     EXPECT_TRUE(records.at(trial).at("matching").at("success").get<bool>()) << trial;
 }
 
 TEST_F(MatchingPage, HasNoFaultOfAccessibilityAndTellsPhones) {
-  if (!is_exported()) GTEST_SKIP() << no_core;
-  const json checked = played("accessibility", folder().string());
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json checked = played("accessibility");
   EXPECT_GT(checked.at("checked").get<int>(), 20);
   EXPECT_EQ(checked.at("faults"), json::array());
-  EXPECT_TRUE(played("on_phone", folder().string()).at("is_told").get<bool>());
+  EXPECT_TRUE(played("on_phone").at("is_told").get<bool>());
 }
 
 TEST_F(MatchingPage, IsMatchedWithEveryInterfaceOnAServer) {
-  const fs::path store = scratch.path() / "kept.db";
-  Running server({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
-                  "--store", store.string()});
-  const json told = played("whole", first_link(store));
+  Running server = serve();
+  const json told = played("whole", link_of(0));
   EXPECT_GT(told.at("requests").get<int>(), 10);
   expect_matches(told.at("posted"));
   server.send(SIGINT);
@@ -205,12 +139,10 @@ TEST_F(MatchingPage, IsMatchedWithEveryInterfaceOnAServer) {
 
 // All guesses at a target come before anything is made of one, whatever is reloaded.
 TEST_F(MatchingPage, ShowsNothingOfAGuessBeforeAllAreMade) {
-  scratch.write("alike.yaml", std::string(walks_text) + matching_text +
+  scratch.write("study.yaml", std::string(walks_text) + matching_text +
                                   "  order: guesses-first\n  show_examples: true\n");
-  const fs::path store = scratch.path() / "kept.db";
-  Running server({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
-                  "--store", store.string()});
-  const json told = played("guesses_first", first_link(store));
+  Running server = serve();
+  const json told = played("guesses_first", link_of(0));
   expect_matches(told.at("posted"));
   EXPECT_FALSE(told.at("film").get<std::string>().empty());
   for (const json& shown : told.at("shows"))

@@ -42,6 +42,10 @@ TEST_F(PageModules, SayWhatTheyHaveToInEachLanguage) {
   expect_passed({"--test", "tests/texts.mjs"});
 }
 
+TEST_F(PageModules, FindTheStepsOfChainsFromTheAnswersBeforeThem) {
+  expect_passed({"--test", "tests/chains/steps.mjs"});
+}
+
 /// Manifests that the studio saves.
 TEST_F(PageModules, EditManifestsAndKeepWhatTheyDoNotChangeToTheByte) {
   expect_passed({"--test", "tests/studio/manifest_edit.mjs"});

@@ -46,7 +46,8 @@ const nlohmann::json& texts_schema() {
                                           {"direction", {}},
                                           {"questionnaire", {}},
                                           {"matching", {}},
-                                          {"in_matching", {}}}},
+                                          {"in_matching", {}},
+                                          {"chains", {}}}},
                                         {"required", {"language"}}};
   return schema;
 }

@@ -27,7 +27,7 @@ using nlohmann::json;
 using Names = std::vector<std::string>;
 
 constexpr char english[] = "en";
-constexpr const char* section_names[] = {"questionnaire", "matching", "in_matching"};
+constexpr const char* section_names[] = {"questionnaire", "matching", "in_matching", "chains"};
 
 struct BuiltInLanguage {
   std::string_view tag;
@@ -213,8 +213,8 @@ const json* member_of(const json& document, const char* key) {
 
 std::vector<Fault> head_faults(const json& document, const Places& places) {
   FaultList list(places);
-  const Names known = {"language",      "complete_from", "direction",
-                       "questionnaire", "matching",      "in_matching"};
+  const Names known = {"language", "complete_from", "direction", "questionnaire",
+                       "matching", "in_matching",   "chains"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(known, key) == known.end())
       list.add_at_key(key, "unknown key", motion::did_you_mean(key, known));

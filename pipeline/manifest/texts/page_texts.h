@@ -13,8 +13,8 @@
 namespace mien::pipeline {
 
 /// The texts of the pages that participants see, in one language: "direction" ("ltr" or "rtl"),
-/// and the sections "questionnaire", "matching" and "in_matching", as in study/page/texts/en.yaml.
-/// That file says which keys and placeholders there are.
+/// and the sections "questionnaire", "matching", "in_matching" and "chains", as in
+/// study/page/texts/en.yaml. That file says which keys and placeholders there are.
 struct PageTexts {
   std::string language;  ///< BCP 47 tag: "de", "pt-BR"
   nlohmann::json texts;

@@ -4,6 +4,7 @@ import { build } from "esbuild";
 import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { livePage } from "./src/live_study/live_page.mjs";
 import { noScriptText, writeTexts } from "./texts.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -13,14 +14,12 @@ if (!folder) {
   process.exit(2);
 }
 
-/** What each page is made of: scripts and styles with what starts them, and files that go in as they are. */
+/** What each page is made of: scripts and styles with what starts them, and files that go in as they are. Those with
+    live motions (isLive) share their index.html. */
 const pages = {
   live: { scripts: { live: "global.ts" }, files: [] },
-  matching: {
-    scripts: { matching: "main.ts" },
-    styles: { matching: "matching.css" },
-    files: ["index.html"],
-  },
+  matching: { scripts: { matching: "main.ts" }, styles: { matching: "matching.css" }, files: [], isLive: true },
+  chains: { scripts: { chains: "main.ts" }, styles: { chains: "chains.css" }, files: [], isLive: true },
   questionnaire: {
     scripts: { questionnaire: "main.ts", turn_view: "turn_view.ts" },
     files: ["index.html", "questionnaire.css"],
@@ -75,7 +74,7 @@ async function licencesOf(scripts, inputs) {
 
 await writeTexts(here);
 const noScript = await noScriptText(here);
-for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
+for (const [name, { scripts, styles = {}, files, isLive = false }] of Object.entries(pages)) {
   const source = join(here, "src", name);
   const out = join(folder, name);
   await rm(out, { recursive: true, force: true });
@@ -95,8 +94,8 @@ for (const [name, { scripts, styles = {}, files }] of Object.entries(pages)) {
     logLevel: "warning",
   });
   for (const file of files) await cp(join(source, file), join(out, file));
-  if (files.includes("index.html")) {
-    const page = await readFile(join(source, "index.html"), "utf8");
+  if (isLive || files.includes("index.html")) {
+    const page = isLive ? await livePage(name) : await readFile(join(source, "index.html"), "utf8");
     await writeFile(join(out, "index.html"), page.replace("<!-- no script -->", noScript));
   }
   const licences = await licencesOf(scripts, Object.keys(result.metafile.inputs));

@@ -40,7 +40,7 @@ export async function readTexts(folder) {
 /** Writes the module of a page folder. */
 export async function writeTexts(page) {
   const texts = await readTexts(join(page, "texts"));
-  const { questionnaire, matching } = texts.en;
+  const { questionnaire, matching, chains } = texts.en;
   const sections = (...names) => JSON.stringify(Object.fromEntries(Object.entries(texts)
     .map(([language, given]) => [language, Object.fromEntries(names.map((name) => [name, given[name]]))])), null, 1);
   await writeFile(join(page, "src/texts/languages.ts"),
@@ -49,16 +49,21 @@ import type { Phrase, Section } from "./phrase";
 
 ${interfaceOf("Texts", questionnaire)}
 ${interfaceOf("MatchingTexts", matching)}
-/** What matching experiments say in place of texts of questionnaires, where these speak of questionnaires. */
+${interfaceOf("ChainTexts", chains)}
+/** What experiments with live motions say in place of texts of questionnaires, where these speak of questionnaires. */
 export type InMatching = Pick<Texts, ${Object.keys(texts.en.in_matching).map((key) => `"${camel(key)}"`).join(" | ")}>;
 
 /** By language: the texts that all pages of participants share, and the direction of writing. */
 export const questionnaireTexts: Record<string, { direction: "ltr" | "rtl"; questionnaire: Section }> =
 ${sections("direction", "questionnaire")} as never;
 
-/** By language: the texts of matching experiments alone. */
+/** By language: the texts of matching experiments, and what all experiments with live motions say. */
 export const matchingTexts: Record<string, { matching: Section; in_matching: Section }> =
 ${sections("matching", "in_matching")} as never;
+
+/** By language: the texts of Gibbs sampling and MCMC with people alone. */
+export const chainTexts: Record<string, { chains: Section }> =
+${sections("chains")} as never;
 `);
 }
 

@@ -35,7 +35,7 @@ TEST(PageTexts, EveryLanguageHasTheKeysPlaceholdersAndPluralFormsOfItsRules) {
     const std::vector<Fault> faults = text_faults(reading.document, language, true, reading.places);
     EXPECT_TRUE(faults.empty()) << fault_lines(faults);
     EXPECT_EQ(reading.document["direction"], language == "ar" ? "rtl" : "ltr") << language;
-    EXPECT_EQ(reading.document.size(), 4U) << language;
+    EXPECT_EQ(reading.document.size(), 5U) << language;
   }
 }
 
@@ -55,7 +55,8 @@ TEST(PageTexts, CompleteAFileFromTheLanguageThatItStates) {
       "language: sv\ncomplete_from: de\n"
       "questionnaire:\n  rate: Hur ser rörelsen ut?\n"
       "  missing: {count: {one: Ett svar saknas., other: '{count} svar saknas.'}}\n"
-      "matching:\n  sides: {front: Framsida}\n",
+      "matching:\n  sides: {front: Framsida}\n"
+      "chains: {done: Klar}\n",
       "sv.yaml");
   EXPECT_EQ(own.language, "sv");
   const json& german = built_in_texts("de");
@@ -64,6 +65,8 @@ TEST(PageTexts, CompleteAFileFromTheLanguageThatItStates) {
   EXPECT_EQ(own.texts["questionnaire"]["next"], german["questionnaire"]["next"]);
   EXPECT_EQ(own.texts["matching"]["sides"]["front"], "Framsida");
   EXPECT_EQ(own.texts["matching"]["sides"]["back"], german["matching"]["sides"]["back"]);
+  EXPECT_EQ(own.texts["chains"]["done"], "Klar");
+  EXPECT_EQ(own.texts["chains"]["make"], german["chains"]["make"]);
   EXPECT_EQ(own.texts["direction"], "ltr");
 }
 
@@ -111,6 +114,8 @@ TEST(PageTexts, RefuseWrongFilesWithThePlaceAndARemedy) {
             "my.yaml:2:23: questionnaire.rate: is not a text; write a text");
   EXPECT_EQ(faults_of_file("language: en\nmatching: {how: One}\n"),
             "my.yaml:2:17: matching.how: is not a list of paragraphs; write [text, text]");
+  EXPECT_EQ(faults_of_file("language: en\nchains: {make: Move the slider.}\n"),
+            "my.yaml:2:16: chains.make: the placeholder {word} is missing; add it");
   EXPECT_EQ(faults_of_file("language: en\nquestionnaire: rate\n"),
             "my.yaml:2:16: questionnaire: is not a map of texts; write key: text");
   EXPECT_EQ(faults_of_file("language: e\n"),

@@ -9,8 +9,9 @@ import { correspondingPhase, phaseInRound, roundSeconds, secondsOf, type Step } 
 import type { Skin } from "./skin";
 import { floor, floorSquare, hasGraphicsCard, litScene, rendererOn } from "./stage";
 
-/** Over each other, the first shining through, or each in its own part of the view, seen alike. */
-export type Arrangement = "over" | "beside";
+/** Over each other, the first shining through, or each in its own part of the view, seen alike: from left to right
+    (beside) or from above to below. */
+export type Arrangement = "over" | "beside" | "below";
 
 /** Where the camera may be sent. */
 export type Side = "front" | "side" | "back" | "above";
@@ -21,6 +22,14 @@ const sides: Record<Side, Pick<Turn, "azimuth" | "elevation">> = {
   back: { azimuth: Math.PI, elevation: 0.12 },
   above: { azimuth: Math.PI / 2, elevation: 1.4 },
 };
+
+/** Part of the view, CSS pixels from its lower left corner. */
+interface Pane {
+  left: number;
+  bottom: number;
+  width: number;
+  height: number;
+}
 
 const fieldOfView = 32;  // degrees, upright
 const usualHeight = 1.8;  // metres
@@ -42,6 +51,8 @@ export class FigureView {
   private figures: Figure[];
   /** Of each figure's round, 0 to 1. */
   private parts: number[];
+  /** How far each walked in its earlier rounds and motions, metres. */
+  private walked: number[];
   private arrangement: Arrangement = "over";
   private step: Step = "keytimes";
   private isPlaying = true;
@@ -66,6 +77,7 @@ export class FigureView {
     this.renderer = rendererOn(this.element);
     this.figures = colours.map((colour) => new Figure(body, colour, style));
     this.parts = colours.map(() => 0);
+    this.walked = colours.map(() => 0);
     this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
     letTurn(this.element, this.turn, () => this.changed());
     this.resized = new ResizeObserver(() => this.changed());
@@ -76,7 +88,9 @@ export class FigureView {
 
   /** A figure plays this from now on, from the phase where it was; null: it is gone. `data-shown` counts. */
   show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
+    const before = this.travelled(figure);
     this.figures[figure]!.show(motion, poses);
+    if (motion) this.walked[figure]! += before - this.travelled(figure);  // the floor stays where it is
     this.restsUntil = 0;
     this.element.dataset.shown = String(Number(this.element.dataset.shown ?? 0) + 1);
     this.arrange(this.arrangement);
@@ -161,6 +175,7 @@ export class FigureView {
     const motion = this.figures[this.leader()]?.shows();
     const part = motion ? phase * secondsOf(motion) / roundSeconds(motion) : phase;
     this.parts.fill(within(0, part, 1));
+    this.walked.fill(0);
     this.changed();
   }
 
@@ -200,11 +215,22 @@ export class FigureView {
   };
 
   private advance(seconds: number): void {
+    const leader = this.leader();
+    const before = this.parts.slice();
     this.figures.forEach((figure, k) => {
       const motion = figure.shows();
       if (motion) this.parts[k] = (this.parts[k]! + seconds / roundSeconds(motion)) % 1;
     });
-    if (this.step === "keytimes") this.parts.fill(this.parts[this.leader()]!);
+    if (this.step === "keytimes") this.parts.fill(this.parts[leader]!);
+    this.figures.forEach((figure, k) => {
+      if (this.parts[k]! < before[k]!) this.walked[k]! += figure.travelled(1);
+    });
+  }
+
+  /** How far a figure has walked, metres; without jumps where its motion begins again or another follows. */
+  private travelled(k: number): number {
+    const figure = this.figures[k]!;
+    return this.walked[k]! + figure.travelled(this.phaseOf(figure));
   }
 
   /** Where a figure is in its motion. */
@@ -236,18 +262,20 @@ export class FigureView {
     }
     this.pose();
     const shown = this.figures.filter((figure) => figure.shows());
-    const panes = this.arrangement === "beside" && shown.length > 1 ? shown.map((one) => [one]) : [shown];
-    panes.forEach((figures, pane) =>
-      this.drawPane(figures, pane * width / panes.length, width / panes.length, height));
+    const isApart = this.arrangement !== "over" && shown.length > 1;
+    const panes = isApart ? shown.map((one) => [one]) : [shown];
+    const [across, down] = this.arrangement === "below" ? [1, panes.length] : [panes.length, 1];
+    panes.forEach((figures, pane) => this.drawPane(figures, {
+      left: across > 1 ? pane * width / across : 0, bottom: down > 1 ? (down - 1 - pane) * height / down : 0,
+      width: width / across, height: height / down }));
     const told = this.waiting.splice(0);
     for (const tell of told) tell();
   }
 
-  /** Part of the view, from `left`, CSS pixels. */
-  private drawPane(figures: Figure[], left: number, width: number, height: number): void {
+  private drawPane(figures: Figure[], { left, bottom, width, height }: Pane): void {
     const { renderer, camera } = this;
     for (const figure of this.figures) figure.group.visible = figures.includes(figure);
-    const travelled = figures[0]?.travelled(this.phaseOf(figures[0])) ?? 0;
+    const travelled = figures[0] ? this.travelled(this.figures.indexOf(figures[0])) : 0;
     this.ground.position.z = -(travelled % floorSquare);
     camera.aspect = width / height;
     // What is narrow still shows the whole figure.
@@ -258,8 +286,8 @@ export class FigureView {
     // Who is taller is seen from as much farther away.
     const scale = Math.max(1, ...figures.map((figure) => figure.height() / usualHeight));
     stand(camera, { ...this.turn, distance: this.turn.distance * scale }, 0, 0.9 * scale, 0);
-    renderer.setViewport(left, 0, width, height);
-    renderer.setScissor(left, 0, width, height);
+    renderer.setViewport(left, bottom, width, height);
+    renderer.setScissor(left, bottom, width, height);
     renderer.setScissorTest(true);
     renderer.render(this.scene, camera);
   }

@@ -1,7 +1,7 @@
 import { FigureView } from "../figure/figure_view";
 import type { LiveCore, LiveMotion } from "../live/core";
 import { button, element } from "../questionnaire/elements";
-import type { MatchingTexts } from "./texts";
+import type { MatchingTexts } from "../live_study/texts";
 
 const exampleMs = 4000;
 

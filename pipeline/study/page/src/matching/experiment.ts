@@ -1,20 +1,10 @@
 import type { InterfaceKind } from "../live/core";
-import type { Demographic, Planned } from "../questionnaire/experiment";
-import type { InLanguages } from "../questionnaire/language";
+import type { LiveExperiment } from "../live_study/experiment";
 
 /** A matching experiment, as `mien study export` and `serve` write it. */
-export interface MatchingExperiment extends Planned<MatchingSession> {
+export interface MatchingExperiment extends LiveExperiment<MatchingSession> {
   format: "mien-matching-1";
-  study: string;
-  title: string;
-  language: string;
-  languages?: InLanguages["languages"];
-  page_texts?: InLanguages["page_texts"];
-  simulated: boolean;
-  texts: { consent: string[]; instructions: string[]; ending: string[] };
-  settings: { phones: "refused" | "served" };
   matching: MatchingSettings;
-  demographics: Demographic[];
 }
 
 export interface MatchingSettings {

@@ -1,6 +1,6 @@
 import type { InterfaceKind, LiveInfo, LiveSetting, Slider } from "../live/core";
 import { button, element } from "../questionnaire/elements";
-import type { MatchingTexts } from "./texts";
+import type { MatchingTexts } from "../live_study/texts";
 
 /** What somebody did to the sliders. */
 export interface SliderChange {

@@ -10,8 +10,8 @@ import type { MatchingExperiment, MatchingTrial } from "./experiment";
 import type { Guess, MatchingRecord } from "./record";
 import { MatchingRun } from "./matching_trial";
 import { SliderPanel, type SliderChange } from "./slider_panel";
-import type { MatchingTexts } from "./texts";
-import { viewControls, type Seeing } from "./view_controls";
+import type { MatchingTexts } from "../live_study/texts";
+import { seeingControls, type Seeing } from "./seeing";
 
 /** What all trials of a session have in common. */
 export interface MatchingSurroundings {
@@ -113,7 +113,7 @@ async function showTrial(
     "data-interface": trial.interface },
     element("header", { class: "matching-head" }, head, readings.element),
     element("div", { class: "stage" }, view.element, keyOfColours(experiment, words),
-      viewControls(view, seeing, words), ...(film ? [film.element] : [])),
+      seeingControls(view, seeing, words), ...(film ? [film.element] : [])),
     element("section", { class: "control", "aria-label": words.interfaces[trial.interface] },
       step, note, panel.element, status, element("div", { class: "buttons" }, ...buttons)));
   display.replaceChildren(page);

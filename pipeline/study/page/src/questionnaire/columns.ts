@@ -28,3 +28,10 @@ export const changeColumns = [
   "time_s", "step", "action", "slider", "value", "d",
   "simulated",
 ] as const;
+
+export const stepColumns = [
+  "participant", "session", "design", "simulated", "trial", "is_practice",
+  "attempt", "word", "chain", "step", "person", "point",
+  "dimension", "value", "slider_start", "is_reversed", "proposal", "is_proposal_first",
+  "chose_proposal", "moves", "trial_ms", "started_at",
+] as const;

@@ -1,3 +1,4 @@
+import type { ChainRecord } from "../chains/record";
 import type { MatchingRecord } from "../matching/record";
 import type { InLanguages } from "./language";
 
@@ -179,7 +180,7 @@ export interface Response {
   rt_ms: number | null;
 }
 
-/** What stores must know of a study: a questionnaire, or a matching experiment. */
+/** What stores must know of a study: a questionnaire, or an experiment with live motions. */
 export interface Planned<Own extends { participant: string } = Session> {
   design: string;
   sessions: Own[];
@@ -239,6 +240,8 @@ export interface PageRecord {
   jatos?: Record<string, string>;
   /** Of a trial of a matching experiment. */
   matching?: MatchingRecord;
+  /** Of a step of a chain. */
+  chain?: ChainRecord;
 }
 
 /** Throws with words for whoever runs the study. */

@@ -1,5 +1,5 @@
 import type { PageRecord, Planned } from "./experiment";
-import { leastTaken, namedSession, pause, randomName, type Remembered, type Store } from "./store";
+import { leastTaken, namedSession, pause, randomName, type Remembered, type Store, type Wait } from "./store";
 
 /** What is used of jatos.js. */
 interface Jatos {
@@ -95,7 +95,7 @@ export async function jatosStore<Own extends { participant: string }>(
     mustChoose = !wanted;
   }
   const kept = own;
-  const send = async (does: () => Promise<unknown>, wait: (why: "saving" | "failed") => void) => {
+  const send = async (does: () => Promise<unknown>, wait: Wait) => {
     for (let tries = 0; ; tries += 1) {
       const slow = setTimeout(() => wait("saving"), 400);
       try {

@@ -2,6 +2,9 @@ import type { Destination, PageRecord, Planned, Session, SessionEnd } from "./ex
 
 type Named = { participant: string };
 
+/** Told that something takes long, and why: the connection is slow or lost, or a server waits for others. */
+export type Wait = (why: "saving" | "failed" | "busy") => void;
+
 /** Where the records of a session are kept while it lasts. */
 export interface Store<Own extends Named = Session> {
   session: Own;
@@ -12,7 +15,7 @@ export interface Store<Own extends Named = Session> {
   /** Names of all that is kept, also where the records themselves cannot be seen again. */
   kept: Set<string>;
   /** Returns once the record is safe. `wait` is told when that takes long, and why. */
-  keep(record: PageRecord, wait: (why: "saving" | "failed") => void): Promise<void>;
+  keep(record: PageRecord, wait: Wait): Promise<void>;
   /** After the last record. */
   finish(): Promise<void>;
   /** Where the participant is sent to, once a server has told it. */
@@ -33,6 +36,11 @@ export interface Store<Own extends Named = Session> {
 /** Why no further answers are accepted from this window. */
 export class SessionClosed extends Error {
   constructor(readonly why: "elsewhere" | "enough" | SessionEnd) { super(why); }
+}
+
+/** What a server says that does not take a record, or has no step to give, while the session goes on. */
+export class Declined extends Error {
+  constructor(readonly why: "taken" | "finished") { super(why); }
 }
 
 export const pause = (milliseconds: number): Promise<void> =>
@@ -182,8 +190,6 @@ export function folderStore<Own extends Named>(
   };
 }
 
-type Wait = (why: "saving" | "failed") => void;
-
 /** Errors of a server that say that no further answers are accepted from this window. */
 const closing: Record<string, SessionClosed["why"]> = {
   elsewhere: "elsewhere",
@@ -209,28 +215,34 @@ const posted = (address: string, value: unknown): Promise<Response> =>
     cache: "no-store",
   });
 
-/** Posts a record beside the page until the server says that it has it; its answer. */
-async function post(base: string, record: PageRecord, wait: Wait): Promise<Answered> {
+/** Posts until the server says that it has what was posted; its answer. */
+export async function post<Answer = Answered>(address: string, value: unknown, wait: Wait): Promise<Answer> {
   for (let tries = 0; ; tries += 1) {
     const slow = setTimeout(() => wait("saving"), 400);
+    let isBusy = false;
     try {
-      const answer = await posted(`${base}records/${record.record}`, record);
-      const said = (await answer.json().catch(() => ({}))) as
-        Answered & { error?: string; wrong?: string };
+      const answer = await posted(address, value);
+      const said = (await answer.json().catch(() => ({}))) as Answer & { error?: string; wrong?: string };
       if (answer.ok) return said;
       const closed = answer.status === 409 ? closing[said.error ?? ""] : undefined;
       if (closed) throw new SessionClosed(closed);
+      if (answer.status === 409 && (said.error === "taken" || said.error === "finished")) throw new Declined(said.error);
       if (![408, 429, 500, 502, 503, 504, 507].includes(answer.status))
         throw new RefusedRecord(said.wrong ?? `The server refused an answer (${answer.status}).`);
+      isBusy = answer.status === 503 && said.error === "busy";
     } catch (error) {
-      if (error instanceof RefusedRecord || error instanceof SessionClosed) throw error;
+      if (error instanceof RefusedRecord || error instanceof SessionClosed || error instanceof Declined) throw error;
     } finally {
       clearTimeout(slow);
     }
-    wait("failed");
-    await pause(Math.min(500 * 1.6 ** tries, 10000));
+    wait(isBusy ? "busy" : "failed");
+    await pause(isBusy ? 2000 : Math.min(500 * 1.6 ** tries, 10000));
   }
 }
+
+/** Posts a record beside the page. */
+const postRecord = (base: string, record: PageRecord, wait: Wait): Promise<Answered> =>
+  post(`${base}records/${record.record}`, record, wait);
 
 const drawerOf = (experiment: { design: string }, base: string): Drawer =>
   new Drawer(`mien/${experiment.design}/${base}`);
@@ -252,7 +264,7 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
       own.records = { [record.record]: record };  // what a reload would send again
       drawer.write(own);
       try {
-        ({ destination, ended } = await post(base, record, wait));
+        ({ destination, ended } = await postRecord(base, record, wait));
       } finally {
         own.records = {};
         drawer.write(own);
@@ -285,7 +297,7 @@ export function joiningStore<Own extends Named>(
     records: {},
     kept: new Set(),
     async keep(record, wait) {
-      const { session } = await post(base, record, wait);
+      const { session } = await postRecord(base, record, wait);
       if (!session) return;
       const there = new URL(session, location.href);
       drawerOf(experiment, there.pathname).write({ participant: "", name, records: {} });

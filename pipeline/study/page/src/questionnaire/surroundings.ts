@@ -3,7 +3,7 @@ import type { Planned, Recruitment } from "./experiment";
 import { jatosIds, jatosParameters, jatosStore, type Tables } from "./jatos";
 import { EarlyEnds } from "./early_ends";
 import { forgetJoined, joinedSession, personOf, rememberJoined, type Parameters } from "./recruitment";
-import { folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
+import { Declined, folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
 
@@ -49,7 +49,11 @@ export async function storeOf<Own extends { participant: string }>(
       rememberJoined(experiment, given, path));
   const unsent = unsentRecord(experiment, base());
   const store = servedStore(experiment, base());
-  if (unsent) await store.keep(unsent, waitNote(root(), texts));
+  if (unsent) {
+    await store.keep(unsent, waitNote(root(), texts)).catch((error: unknown) => {
+      if (!(error instanceof Declined)) throw error;  // else the page asks once more
+    });
+  }
   return store;
 }
 

@@ -1,6 +1,7 @@
 import { chooseByKeys, focusChoice } from "./choice_keys";
 import { button, element, heading, paragraphs } from "./elements";
 import type { Demographic, PageRecord, Response } from "./experiment";
+import type { Wait } from "./store";
 import type { Texts } from "./texts";
 
 export interface GivenOnPage {
@@ -137,11 +138,12 @@ export function showTextPage(display: HTMLElement, asked: AskedPage): Promise<nu
 }
 
 /** The note that saving takes long, at the foot of a page. */
-export function waitNote(page: HTMLElement, texts: Texts): (why: "saving" | "failed") => void {
+export function waitNote(page: HTMLElement, texts: Pick<Texts, "saving" | "saveFailed">, busy = texts.saving): Wait {
   const note = element("p", { class: "waiting", role: "status" });
+  const said = { saving: texts.saving, failed: texts.saveFailed, busy };
   return (why) => {
     if (!note.isConnected) page.append(note);
-    note.textContent = why === "saving" ? texts.saving : texts.saveFailed;
+    note.textContent = said[why];
   };
 }
 

@@ -15,6 +15,7 @@ export interface OwnTexts {
   questionnaire: Section;
   matching: Section;
   in_matching: Section;
+  chains: Section;
 }
 
 /** How a language is written. */

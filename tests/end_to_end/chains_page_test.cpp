@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/live_page.h"
+#include "end_to_end/questionnaire_page.h"
+
+namespace mien::test {
+namespace {
+
+using nlohmann::json;
+using Point = std::vector<double>;
+using Row = std::map<std::string, std::string>;
+
+/// Two chains of four steps, or of one choice in each of four dimensions, and practice.
+constexpr char adaptive_text[] = R"(mien: 1
+study: words
+seed: 7
+examples: {set: builtin:walks-10, ratings: builtin}
+adaptive:
+  title: Words for movements
+  participants: 2
+  consent: Taking part is voluntary.
+  ending: Thank you.
+  words: [sad, happy]
+  space: {groups: all}
+  practice: 1
+  phones: served
+  demographics:
+    - {id: age, ask: "How old are you?", answer: number}
+)";
+constexpr char gibbs[] = "  method: gibbs\n  iterations: 1\n";
+constexpr char choices[] = "  method: mcmc\n  iterations: 4\n  deviation: 0.6\n";
+
+Point point_in(const std::string& text) {
+  Point point;
+  for (std::size_t at = 0; at < text.size(); at = text.find_first_of(' ', at) + 1) {
+    point.push_back(std::stod(text.substr(at)));
+    if (text.find(' ', at) == text.npos) break;
+  }
+  return point;
+}
+
+std::vector<Row> by_trial(const json& told) { return rows_in(told.at("steps").get<std::string>()); }
+
+/// Folded into a range, by steps from one end to the other.
+double folded(double value, double low, double high) {
+  while (value < low || value > high) value = value < low ? 2.0 * low - value : 2.0 * high - value;
+  return value;
+}
+
+/// Participants of Gibbs sampling or MCMC with people.
+class ChainsPage : public LivePage {
+ protected:
+  ChainsPage() : LivePage("chains", std::string(adaptive_text) + gibbs) {}
+
+  void use(const std::string& more) { scratch.write("study.yaml", adaptive_text + more); }
+
+  json experiment() const { return json::parse(text_of(folder() / "experiment.json")); }
+
+  json session_of(const std::string& participant) const {
+    const json made = experiment();
+    for (const json& session : made.at("sessions"))
+      if (session.at("participant") == participant) return session;
+    return {};
+  }
+
+  /// Every trial of the plan is a row, and each chain goes from its start to where the answers
+  /// lead.
+  void expect_planned(const std::vector<Row>& rows) const {
+    ASSERT_FALSE(rows.empty());
+    const json plan = session_of(rows.front().at("participant"));
+    const json chains = experiment().at("chains");
+    std::map<std::string, Point> points = plan.at("starts").get<std::map<std::string, Point>>();
+    ASSERT_EQ(rows.size(), plan.at("trials").size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row& row = rows[i];
+      const json& trial = plan.at("trials").at(i);
+      SCOPED_TRACE(trial.dump());
+      const bool is_practice = trial.at("practice");
+      const std::string word = trial.at("word");
+      const std::string chain = std::to_string(trial.at("chain").get<int>());
+      EXPECT_EQ(row.at("trial"), std::to_string(trial.at("number").get<int>()));
+      EXPECT_EQ(row.at("is_practice"), is_practice ? "1" : "0");
+      EXPECT_EQ(row.at("word") + "/" + row.at("chain"), word + "/" + chain);
+      EXPECT_EQ(row.at("step"), std::to_string(trial.at("step").get<int>()));
+      Point& point = points.at((is_practice ? "practice" : word) + "/" + chain);
+      EXPECT_EQ(point_in(row.at("point")), point);
+      if (chains.at("method") == "gibbs")
+        expect_slider(trial, chains, row, point);
+      else
+        expect_choice(trial, chains, row, point);
+    }
+  }
+
+  static void expect_slider(const json& trial, const json& chains, const Row& row, Point& point) {
+    const std::size_t free = trial.at("dimension");
+    const json& dimension = chains.at("dimensions").at(free);
+    EXPECT_EQ(row.at("dimension"), dimension.at("name").get<std::string>());
+    EXPECT_EQ(std::stod(row.at("slider_start")), trial.at("slider").at("start").get<double>());
+    EXPECT_EQ(row.at("is_reversed"), trial.at("slider").at("reversed").get<bool>() ? "1" : "0");
+    EXPECT_EQ(row.at("proposal") + row.at("is_proposal_first") + row.at("chose_proposal"), "");
+    EXPECT_GE(std::stoi(row.at("moves")), 1);
+    const double value = std::stod(row.at("value"));
+    const double low = dimension.at("low"), high = dimension.at("high");
+    const double share = 1000.0 * (value - low) / (high - low);
+    EXPECT_NEAR(share, std::round(share), 1e-6);
+    EXPECT_GE(share, -1e-6);
+    EXPECT_LE(share, 1000.0 + 1e-6);
+    point[free] = value;
+  }
+
+  static void expect_choice(const json& trial, const json& chains, const Row& row, Point& point) {
+    const Point proposal = point_in(row.at("proposal"));
+    ASSERT_EQ(proposal.size(), point.size());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const double low = chains.at("dimensions").at(i).at("low");
+      const double high = chains.at("dimensions").at(i).at("high");
+      const double by = trial.at("normals").at(i).get<double>() *
+                        chains.at("deviation").get<double>() * (high - low);
+      EXPECT_NEAR(proposal[i], folded(point[i] + by, low, high), 1e-12) << i;
+    }
+    EXPECT_EQ(row.at("is_proposal_first"), trial.at("proposal_first").get<bool>() ? "1" : "0");
+    EXPECT_EQ(row.at("dimension") + row.at("value") + row.at("slider_start"), "");
+    EXPECT_EQ(row.at("moves"), "0");
+    if (row.at("chose_proposal") == "1") point = proposal;
+  }
+
+  /// The program reads what the browser saved.
+  void expect_results(const json& told) const {
+    const auto steps = scratch.write("steps.csv", told.at("steps").get<std::string>());
+    const Ended ended = run_mien({"study", "chains", study().string(), steps.string(), "-o",
+                                  (scratch.path() / "chains").string()},
+                                 120.0);
+    EXPECT_EQ(ended.code, 0) << ended.errors;
+  }
+};
+
+TEST_F(ChainsPage, SlidersLeadTheirChainsWithoutAServer) {
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("whole");
+  EXPECT_EQ(told.at("requests"), 0);
+  expect_planned(by_trial(told));
+  expect_results(told);
+  const auto people = rows_in(told.at("participant").get<std::string>());
+  ASSERT_EQ(people.size(), 1U);
+  EXPECT_EQ(people[0].at("finished"), "1");
+}
+
+TEST_F(ChainsPage, ChoicesLeadTheirChainsWithoutAServer) {
+  use(choices);
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("whole");
+  const std::vector<Row> rows = by_trial(told);
+  expect_planned(rows);
+  for (const char* chosen : {"0", "1"})
+    EXPECT_TRUE(std::ranges::any_of(rows, [&](const Row& row) {
+      return row.at("chose_proposal") == chosen;
+    })) << chosen;
+  expect_results(told);
+}
+
+TEST_F(ChainsPage, GoesOnAfterAReloadWhereItsChainsWere) {
+  for (const char* method : {gibbs, choices}) {
+    use(method);
+    if (!is_exported()) GTEST_SKIP() << no_browser_core;
+    const std::vector<Row> rows = by_trial(played("reload"));
+    expect_planned(rows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      EXPECT_EQ(rows[i].at("attempt"), i == 3 ? "2" : "1") << method << i;
+    std::filesystem::remove_all(folder());
+  }
+}
+
+TEST_F(ChainsPage, IsTakenByKeyboardAloneAndByTouch) {
+  for (const char* method : {gibbs, choices}) {
+    use(method);
+    if (!is_exported()) GTEST_SKIP() << no_browser_core;
+    expect_planned(by_trial(played("keys")));
+    expect_planned(by_trial(played("touch")));
+    std::filesystem::remove_all(folder());
+  }
+}
+
+TEST_F(ChainsPage, TurnsPhonesAwayWhereTheyAreRefused) {
+  std::string text = std::string(adaptive_text) + gibbs;
+  text.replace(text.find("phones: served"), 14, "phones: refused");
+  scratch.write("study.yaml", text);
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("refused_phone");
+  EXPECT_NE(told.at("text").get<std::string>().find("larger than a phone's"), std::string::npos);
+  EXPECT_EQ(told.at("buttons"), 0);
+}
+
+TEST_F(ChainsPage, HandsItsStepsToJatos) {
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("jatos");
+  const std::vector<Row> rows = rows_in(told.at("result").get<std::string>());
+  expect_planned(rows);
+  EXPECT_EQ(rows.at(3).at("attempt"), "2");
+  const std::string participant = rows.front().at("participant");
+  EXPECT_EQ(participant, "p002");  // that is taken least
+  EXPECT_TRUE(told.at("files").contains(participant + "-participants.csv"));
+  EXPECT_TRUE(told.at("files").contains(participant + "-records.json"));
+}
+
+TEST_F(ChainsPage, HasNoFaultOfAccessibility) {
+  for (const char* method : {gibbs, choices}) {
+    use(method);
+    if (!is_exported()) GTEST_SKIP() << no_browser_core;
+    const json checked = played("accessibility");
+    EXPECT_GT(checked.at("checked").get<int>(), 20);
+    EXPECT_EQ(checked.at("faults"), json::array()) << method;
+    std::filesystem::remove_all(folder());
+  }
+}
+
+TEST_F(ChainsPage, IsTakenOnAServerWithChainsOfItsOwn) {
+  Running server = serve();
+  const json posted = played("reload", link_of(0)).at("posted");
+  for (int trial = 1; trial <= 9; ++trial) {
+    const json& chain = posted.at("trial-" + std::to_string(trial)).at("chain");
+    EXPECT_EQ(chain.at("person"), 0);
+    EXPECT_EQ(chain.at("attempt"), trial == 4 ? 2 : 1);
+  }
+  EXPECT_TRUE(posted.contains("ending"));
+  server.send(SIGINT);
+  EXPECT_EQ(server.wait().code, 0);
+}
+
+/// A chain of four steps that two people lead in turns; the second finds it complete.
+TEST_F(ChainsPage, LeadsChainsAcrossParticipantsUntilTheyAreComplete) {
+  for (const std::string method : {gibbs, choices}) {
+    std::string text =
+        adaptive_text + method + "  across_participants: true\n  trials_per_participant: 3\n";
+    text.replace(text.find("[sad, happy]"), 12, "[sad]");
+    scratch.write("study.yaml", text);
+    std::filesystem::remove(scratch.path() / "kept-links.csv");
+    Running server = serve();
+    std::vector<json> chain;
+    for (int person = 0; person < 2; ++person) {
+      const json posted = played("whole", link_of(person)).at("posted");
+      for (int trial = 2; trial <= 4; ++trial) {  // the first is practice
+        const json& record = posted.at("trial-" + std::to_string(trial));
+        if (record.contains("chain")) chain.push_back(record.at("chain"));
+      }
+      EXPECT_TRUE(posted.contains("ending")) << person;
+    }
+    ASSERT_EQ(chain.size(), 4U) << method;
+    for (std::size_t step = 0; step < chain.size(); ++step) {
+      EXPECT_EQ(chain[step].at("step"), step);
+      if (step == 0) continue;
+      const json& former = chain[step - 1];
+      json point = former.at("point");
+      if (method == gibbs)
+        point.at(former.at("dimension").get<std::size_t>()) = former.at("value");
+      else if (former.at("chose_proposal"))
+        point = former.at("proposal");
+      EXPECT_EQ(chain[step].at("point"), point) << method << step;
+    }
+    server.send(SIGINT);
+    EXPECT_EQ(server.wait().code, 0);
+    std::filesystem::remove(store());
+  }
+}
+
+/// With a fake motion core and a fake server, which loses connections and refuses records.
+TEST_F(ChainsPage, BearsAServerThatFails) {
+  const Ended ended = run_script("fake_served.mjs", {});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+}
+
+}  // namespace
+}  // namespace mien::test
