@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
 namespace mien::pipeline {
@@ -70,6 +71,18 @@ ChainValues chain_values(const std::vector<std::vector<std::vector<double>>>& pa
 double scale_reduction(const ChainValues& chains) {
   if (chains.empty()) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(common_variance(chains) / within_variance(chains));
+}
+
+bool are_different(const ChainValues& chains) {
+  constexpr double usual_bound = 1.1;
+  constexpr double chance = 0.001;
+  const double r_hat = scale_reduction(chains);
+  if (!(r_hat > usual_bound)) return false;
+  if (!std::isfinite(r_hat)) return true;
+  const auto m = static_cast<double>(chains.size());
+  const auto n = static_cast<double>(chains.front().size());
+  const boost::math::fisher_f ratio(m - 1.0, m * (n - 1.0));
+  return cdf(complement(ratio, n * r_hat * r_hat - (n - 1.0))) < chance;
 }
 
 double effective_sample_size(const ChainValues& chains) {

@@ -27,6 +27,11 @@ ChainValues chain_values(const std::vector<std::vector<std::vector<double>>>& pa
 /// values differ between chains only.
 double scale_reduction(const ChainValues& chains);
 
+/// Whether R̂ shows that chains do not agree: above 1.1, and larger than it would be for chains of
+/// independent values of one normal distribution with a probability of 0.001. With few values per
+/// chain, R̂ is often above 1.1 by chance.
+bool are_different(const ChainValues& chains);
+
 /// The number of independent values that would determine the mean as well as these (Gelman and
 /// others 2013, section 11.5): m·n/(1 + 2·Σρ), with the autocorrelations ρ estimated from all m
 /// chains, and summed from the first until the sum of the next two is negative. At most m·n.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -68,8 +69,8 @@ void remark(const ChainResults& results, const Console& console) {
   for (const WordSamples& word : results.words) {
     double worst = 0.0;
     for (const DimensionSamples& of : word.dimensions)
-      if (of.r_hat > worst) worst = of.r_hat;
-    if (worst > 1.1)
+      if (are_different(of.values)) worst = std::max(worst, of.r_hat);
+    if (worst > 0.0)
       console.err << fmt::format(
           "warning: the chains of {} have not converged to the same distribution (R̂ up to "
           "{:.2f}); its prototype depends on where they started\n",

@@ -80,5 +80,23 @@ TEST(ChainValuesOfADimension, AreThoseAfterSweepsThatAreKept) {
   EXPECT_EQ(chain_values(paths, 0, 2, 3), (ChainValues{{}, {}}));
 }
 
+TEST(ScaleReduction, TellsDifferentChainsFromFewValues) {
+  // Three independent values in each of twelve chains: R̂ is often above 1.1, but not different.
+  int above = 0, different = 0;
+  for (std::uint64_t study = 0; study < 400; ++study) {
+    ChainValues chains(12, std::vector<double>(3));
+    for (std::size_t c = 0; c < 12; ++c)
+      for (std::size_t i = 0; i < 3; ++i) chains[c][i] = normal(study, std::to_string(3 * c + i));
+    above += scale_reduction(chains) > 1.1 ? 1 : 0;
+    different += are_different(chains) ? 1 : 0;
+  }
+  EXPECT_GT(above, 40);
+  EXPECT_LE(different, 3);
+  ChainValues apart = {{0.1, 0.2, 0.1, 0.3, 0.2}, {0.8, 0.9, 0.8, 0.7, 0.9}};
+  EXPECT_TRUE(are_different(apart));
+  EXPECT_TRUE(are_different({{1.0, 1.0}, {2.0, 2.0}}));
+  EXPECT_FALSE(are_different({{1.0, 2.0}}));
+}
+
 }  // namespace
 }  // namespace mien::pipeline
