@@ -43,6 +43,7 @@ chapters = [
         ("Results", "pipeline/study/results/README"),
         ("From answers to adjectives", "pipeline/study/analysis/README"),
         ("The next films", "pipeline/study/adaptive/README"),
+        ("Adaptive experiments", "pipeline/study/chains/README"),
         ("Matching experiments", "pipeline/study/matching/README"),
         ("Live motions", "pipeline/study/live/README"),
     ]),

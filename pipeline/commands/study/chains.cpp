@@ -18,6 +18,7 @@
 #include "pipeline/study/analysis/scales_yaml.h"
 #include "pipeline/study/chains/experiment/chain_results.h"
 #include "pipeline/study/chains/experiment/word_prototypes.h"
+#include "pipeline/study/results/answer_set.h"
 
 namespace mien::pipeline {
 

@@ -223,6 +223,9 @@ std::vector<Fault> check_stimuli(const Manifest& manifest) {
   FaultList list(manifest.places);
   check_shared_interpolation(manifest, list);
   check_limits(manifest.regression, "", list);
+  if (manifest.stimuli.empty() && !manifest.adaptive && !manifest.places.values.contains("stimuli"))
+    list.add("stimuli", "missing",
+             "add it, for example stimuli: [{id: happy-quick, adjectives: {quickness: 0.8}}]");
   for (const Stimulus& stimulus : manifest.stimuli) check_stimulus(stimulus, manifest, list);
   return list.take();
 }

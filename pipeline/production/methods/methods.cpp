@@ -82,6 +82,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   describe_recordings(out);
   describe_modifications(out);
   describe_matching_settings(out);
+  describe_adaptive(out);
   out.end_paragraph();
   describe_pictures(out);
   out.end_paragraph();

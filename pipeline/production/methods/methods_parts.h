@@ -78,6 +78,9 @@ void describe_example_settings(MethodsText& out);
 /// matches, and whether the examples are played beside the task.
 void describe_matching_settings(MethodsText& out);
 
+/// An adaptive experiment: method, words, dimensions and chains.
+void describe_adaptive(MethodsText& out);
+
 /// Participants: number, recruitment, screening, consent, questions about them, and language.
 void describe_participants(MethodsText& out);
 

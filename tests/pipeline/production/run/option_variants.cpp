@@ -110,6 +110,18 @@ constexpr char with_prolific[] =
 constexpr char with_matching[] =
     R"({"matching": {"participants": 4}, "stimuli": [{"id": "a", "role": "target", "weights": {"normal": 1}}, {"id": "b", "role": "target", "weights": {"sad": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
 
+constexpr char with_adaptive[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}}})";
+
+constexpr char with_choices[] =
+    R"({"adaptive": {"participants": 4, "method": "mcmc", "words": ["sad"], "space": {"groups": "all"}}})";
+
+constexpr char with_shared_chains[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true}})";
+
+constexpr char with_shared_steps[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "people_per_step": 2}})";
+
 const Surroundings surroundings[] = {
     {"stimuli[].audio.file", with_sounds, R"({"length": "cut"})"},
     {"stimuli[].audio.from", with_sounds, R"({"length": "cut"})"},
@@ -144,6 +156,14 @@ const Surroundings surroundings[] = {
     {"modify.constraints[].look_at", "{}", "{}"},
     {"modify.constraints[].within.", "{}", "{}"},
     {"modify.constraints[].", "{}", R"({"part": "left-hand"})"},
+    {"adaptive.demographics[].", with_adaptive,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"adaptive.deviation", with_choices, "{}"},
+    {"adaptive.trials_per_participant", with_shared_chains, "{}"},
+    {"adaptive.answer_within_s", with_shared_chains, "{}"},
+    {"adaptive.people_per_step", with_shared_chains, "{}"},
+    {"adaptive.aggregate", with_shared_steps, "{}"},
+    {"adaptive", with_adaptive, "{}"},
     {"matching.demographics[].", with_matching,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"matching", with_matching, "{}"},
@@ -412,6 +432,31 @@ const Values chosen_values[] = {
      R"([[{"at": 0.1, "mood": {"sad": 1}}], [{"at": 0.2, "mood": {"sad": 1}}]])"},
     {"stimuli[].path.moods[].at", "[0.1, 0.2]"},
     {"stimuli[].path.moods[].mood", R"([{"sad": 1}, {"happy": 1}])"},
+    {"adaptive",
+     R"([{"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}}, {"participants": 5, "method": "mcmc", "words": ["sad"], "space": {"features": "all"}}])"},
+    {"adaptive.title", R"(["Sad?", "How sad?"])"},
+    {"adaptive.language", R"(["en", "ja"])"},
+    {"adaptive.language.browser", R"([["en"], ["ja", "en"]])"},
+    {"adaptive.texts", R"(["one.texts.yaml", ["two.texts.yaml"]])"},
+    {"adaptive.consent", R"(["Yes.", "No."])"},
+    {"adaptive.consent.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"adaptive.instructions", R"(["Look.", "Look well."])"},
+    {"adaptive.instructions.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"adaptive.ending", R"(["Thanks.", "The end."])"},
+    {"adaptive.ending.file", R"(["my.set.yaml", "my.scales.yaml"])"},
+    {"adaptive.words", R"([["sad"], {"sad": "sorrowful"}])"},
+    {"adaptive.space", R"([{"groups": "all"}, {"features": "all"}])"},
+    {"adaptive.space.groups", R"(["all", ["quickness", "largeness"]])"},
+    {"adaptive.space.scales", R"([["slow-fast"], ["slow-fast", "sad-happy"]])"},
+    {"adaptive.space.features", R"(["all", ["step-length"]])"},
+    {"adaptive.space.weights", R"(["all", ["sad", "normal"]])"},
+    {"adaptive.space.components", "[1, 2]"},
+    {"adaptive.colour", R"(["#112233", "#445566"])"},
+    {"adaptive.demographics",
+     R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},
+    {"adaptive.demographics[].id", R"(["age", "sex"])"},
+    {"adaptive.demographics[].ask", R"(["Who?", "Which?"])"},
+    {"adaptive.demographics[].answer", R"(["number", ["f", "m"]])"},
     {"matching", R"([{"participants": 4}, {"participants": 5, "limit_s": 100}])"},
     {"matching.title", R"(["Same?", "Alike?"])"},
     {"matching.language", R"(["en", "ja"])"},

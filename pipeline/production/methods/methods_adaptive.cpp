@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include "pipeline/manifest/adaptive_plan.h"
+#include "pipeline/production/methods/methods_parts.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string dimensions_text(const Manifest& manifest) {
+  const MotionSpace& space = manifest.adaptive->space;
+  const std::vector<std::string> names = dimension_names(manifest);
+  switch (space.kind) {
+    case MotionSpace::Kind::groups:
+      return "groups of rated adjective pairs (" + listed(names) + ")";
+    case MotionSpace::Kind::scales:
+      return "rated adjective pairs (" + listed(names) + ")";
+    case MotionSpace::Kind::features:
+      return "motion features (" + listed(names) + ")";
+    case MotionSpace::Kind::weights:
+      return "relative weights of the examples (" + listed(names) + ")";
+    case MotionSpace::Kind::components:
+      break;
+  }
+  return fmt::format("the first {} of the examples' standardised motion features",
+                     space.components == 1
+                         ? "principal component"
+                         : fmt::format("{} principal components", space.components));
+}
+
+void describe_gibbs(MethodsText& out, const Adaptive& adaptive) {
+  out.say(fmt::format(
+      "Motions were led towards words by Gibbs sampling with people{}: in each trial, one "
+      "dimension "
+      "of a chain's point was free, and participants set it with a slider without labels, whose "
+      "start and direction were random, to what looked most like the word, while the motion "
+      "followed",
+      out.cite({"harrison2020"})));
+  out.say(fmt::format(
+      "Each sweep freed every dimension once, in random order, and a chain had {}",
+      adaptive.iterations == 1 ? "one sweep" : fmt::format("{} sweeps", adaptive.iterations)));
+}
+
+void describe_mcmc(MethodsText& out, const Adaptive& adaptive) {
+  out.say(fmt::format(
+      "Motions were led towards words by Markov chain Monte Carlo with people{}: in each trial, "
+      "participants chose which of two motions looked more like the word, that of a chain's point "
+      "or "
+      "a proposal near it, drawn from a normal distribution with a standard deviation of {:g} % of "
+      "the range of each dimension and reflected at its ends",
+      out.cite({"sanborn2008"}), 100.0 * adaptive.deviation));
+  out.say(fmt::format("A chain had {} choices", adaptive.iterations));
+}
+
+void describe_chains(MethodsText& out, const Adaptive& adaptive) {
+  const std::string chains =
+      adaptive.chains == 1 ? "one chain" : fmt::format("{} chains", adaptive.chains);
+  if (!adaptive.across_participants) {
+    out.say(fmt::format("Each participant had {} for every word", chains));
+  } else if (adaptive.people_per_step == 1) {
+    out.say(
+        fmt::format("For every word there was {}, whose steps were answered by the participants "
+                    "in turn",
+                    chains));
+  } else {
+    out.say(fmt::format(
+        "For every word there was {}; each step was answered by {} participants, and the {} of "
+        "their "
+        "answers was the next value",
+        chains, adaptive.people_per_step, word_of(step_aggregate_words, adaptive.aggregate)));
+  }
+}
+
+}  // namespace
+
+void describe_adaptive(MethodsText& out) {
+  if (!out.manifest.adaptive) return;
+  const Adaptive& adaptive = *out.manifest.adaptive;
+  adaptive.method == ChainMethod::gibbs ? describe_gibbs(out, adaptive)
+                                        : describe_mcmc(out, adaptive);
+  std::vector<std::string> words;
+  for (const auto& [id, shown] : adaptive.words) words.push_back("\"" + shown.text + "\"");
+  out.say(fmt::format("The {} {}, the dimensions {}", words.size() == 1 ? "word was" : "words were",
+                      listed(words), dimensions_text(out.manifest)));
+  describe_chains(out, adaptive);
+  out.say(adaptive.space.kind == MotionSpace::Kind::weights
+              ? "Chains started at random points of the ranges, 0.01 to 1"
+              : "The ranges were those of the examples, and chains started at random blends of "
+                "three examples");
+  if (adaptive.practice > 0)
+    out.say(fmt::format("{} practice {} came first", adaptive.practice,
+                        adaptive.practice == 1 ? "trial" : "trials"));
+}
+
+}  // namespace mien::pipeline

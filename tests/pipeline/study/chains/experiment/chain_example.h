@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/study/chains/experiment/chain_study.h"
+
+namespace mien::pipeline::test {
+
+inline ManifestReading chain_reading(const std::string& adaptive) {
+  return parse_manifest(
+      "mien: 1\nstudy: words\nseed: 3\nexamples: {set: builtin:walks-10, ratings: builtin}\n"
+      "output: {fps: 30}\nadaptive: " +
+          adaptive + "\n",
+      "/nowhere/words.yaml", [](const std::string&) { return std::nullopt; });
+}
+
+inline std::string chain_fault(const std::string& adaptive) {
+  const ManifestReading read = chain_reading(adaptive);
+  return read.faults.empty() ? std::string() : std::string(Faults(read.faults).what());
+}
+
+inline Manifest chain_manifest(const std::string& adaptive) {
+  ManifestReading read = chain_reading(adaptive);
+  EXPECT_TRUE(read.faults.empty()) << Faults(read.faults).what();
+  return std::move(read.manifest);
+}
+
+/// An experiment with its motions.
+struct ChainExample {
+  explicit ChainExample(const std::string& adaptive)
+      : manifest(chain_manifest(adaptive)),
+        motions(manifest),
+        study(chain_study(manifest, motions)) {}
+
+  Manifest manifest;
+  Motions motions;
+  ChainStudy study;
+};
+
+inline constexpr char own_chains[] =
+    "{participants: 4, method: gibbs, words: [sad, happy], space: {groups: all}, iterations: 4}";
+inline constexpr char own_choices[] =
+    "{participants: 3, method: mcmc, words: [sad], space: {groups: [quickness, largeness]}, "
+    "iterations: 30}";
+inline constexpr char shared_chains[] =
+    "{participants: 6, method: gibbs, words: [sad, happy], space: {groups: [quickness, "
+    "largeness]}, chains: 2, iterations: 3, across_participants: true, people_per_step: 3, "
+    "trials_per_participant: 40, practice: 1}";
+
+}  // namespace mien::pipeline::test

@@ -1,0 +1,308 @@
+#include "pipeline/study/chains/experiment/chain_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include <boost/math/distributions/normal.hpp>
+
+#include "motion/live/live_core.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/reading/manifest_yaml.h"
+#include "pipeline/study/chains/experiment/chain_example.h"
+#include "pipeline/study/chains/experiment/simulated_chains.h"
+#include "pipeline/study/chains/experiment/word_prototypes.h"
+#include "pipeline/temporary_folder.h"
+
+namespace mien::pipeline {
+namespace {
+
+using test::ChainExample;
+
+/// The answers of simulated people, written and read.
+ChainAnswers read_back(const ChainExample& example, const std::vector<ChainAnswer>& answers) {
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "steps.csv", chain_steps_csv(answers, example.study.design));
+  return read_chain_answers({folder.path() / "steps.csv"}, example.study);
+}
+
+std::vector<ChainAnswer> simulated(const ChainExample& example) {
+  return simulated_chains(example.study, example.manifest.adaptive->across_participants,
+                          usual_truth(example.study));
+}
+
+ChainResults results_of(const ChainExample& example) {
+  return chain_results(example.study, read_back(example, simulated(example)),
+                       {.across_participants = example.manifest.adaptive->across_participants});
+}
+
+/// Mean and standard deviation of a normal distribution that is truncated to a range.
+std::pair<double, double> truncated(double mean, double deviation, const DimensionRange& range) {
+  const boost::math::normal unit;
+  const double a = (range.low - mean) / deviation, b = (range.high - mean) / deviation;
+  const double z = cdf(unit, b) - cdf(unit, a);
+  const double shift = (pdf(unit, a) - pdf(unit, b)) / z;
+  const double variance = 1.0 + (a * pdf(unit, a) - b * pdf(unit, b)) / z - shift * shift;
+  return {mean + deviation * shift, deviation * std::sqrt(variance)};
+}
+
+TEST(ChainResults, FindAKnownDistributionWithASlider) {
+  const ChainExample example(
+      "{participants: 40, method: gibbs, words: [sad, happy], space: {groups: all}, "
+      "iterations: 12}");
+  const ChainResults results = results_of(example);
+  EXPECT_TRUE(results.simulated);
+  EXPECT_EQ(results.incomplete, 0);
+  const auto truth = usual_truth(example.study);
+  for (const WordSamples& word : results.words) {
+    ASSERT_EQ(word.chains, 40);
+    ASSERT_EQ(word.samples, 240);
+    for (std::size_t d = 0; d < word.dimensions.size(); ++d) {
+      const WordTruth& of = truth.at(word.word);
+      const DimensionRange& range = results.design.space[d];
+      const auto [mean, deviation] = truncated(of.mean[d], of.deviation[d], range);
+      EXPECT_NEAR(word.dimensions[d].mean.mean, mean, 0.05 * (range.high - range.low));
+      EXPECT_NEAR(word.dimensions[d].deviation / deviation, 1.0, 0.2);
+      EXPECT_LT(word.dimensions[d].r_hat, 1.1);
+    }
+  }
+}
+
+TEST(ChainResults, FindAKnownDistributionWithChoices) {
+  const ChainExample example(
+      "{participants: 20, method: mcmc, words: [sad], space: {groups: [quickness, largeness]}, "
+      "iterations: 90, deviation: 0.25}");
+  const ChainResults results = results_of(example);
+  const WordTruth& of = usual_truth(example.study).at("sad");
+  for (std::size_t d = 0; d < 2; ++d) {
+    const DimensionRange& range = results.design.space[d];
+    const auto [mean, deviation] = truncated(of.mean[d], of.deviation[d], range);
+    const DimensionSamples& found = results.words[0].dimensions[d];
+    EXPECT_NEAR(found.mean.mean, mean, 0.05 * (range.high - range.low));
+    EXPECT_NEAR(found.deviation / deviation, 1.0, 0.25);
+  }
+}
+
+TEST(ChainResults, OfManyPeopleComeNearTheMiddle) {
+  const ChainExample example(test::shared_chains);
+  const ChainResults results = results_of(example);
+  ASSERT_EQ(results.paths.size(), 4u);
+  for (const ChainPath& path : results.paths) {
+    EXPECT_TRUE(path.is_complete);
+    EXPECT_TRUE(path.name.participant.empty());
+    ASSERT_EQ(path.points.size(), 6u);
+  }
+}
+
+/// In how many of a number of studies the 90 % interval of a prototype has the true mean.
+double share_of_intervals_with_the_truth(int studies) {
+  int with = 0, all = 0;
+  for (int study = 0; study < studies; ++study) {
+    ChainExample example(
+        "{participants: 8, method: gibbs, words: [sad], space: {groups: [quickness, largeness]}, "
+        "iterations: 8, practice: 0}");
+    example.study.design.seed = static_cast<std::uint64_t>(study);
+    example.study.sessions =
+        plan_chains(example.manifest, example.study.design, example.study.dimensions.at_examples);
+    const auto truth = usual_truth(example.study);
+    const ChainAnswers answers = read_back(example, simulated_chains(example.study, false, truth));
+    const ChainResults results = chain_results(example.study, answers, {});
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double mean =
+          truncated(truth.at("sad").mean[d], truth.at("sad").deviation[d], results.design.space[d])
+              .first;
+      const IntervalEnds ends = chain_mean(results.words[0].dimensions[d].values, 0.9).ends;
+      with += ends.low <= mean && mean <= ends.high ? 1 : 0;
+      ++all;
+    }
+  }
+  return static_cast<double>(with) / all;
+}
+
+TEST(ChainIntervals, HoldTheTruthAsOftenAsTheySay) {
+  // 40 intervals: 0.9 ± 3 standard errors.
+  const double share = share_of_intervals_with_the_truth(20);
+  EXPECT_GE(share, 0.75);
+}
+
+TEST(ChainIntervals, HoldTheTruthAsOftenAsTheySayIn200Studies) {
+  const double share = share_of_intervals_with_the_truth(200);
+  RecordProperty("share", std::to_string(share));
+  EXPECT_GE(share, 0.85);
+  EXPECT_LE(share, 0.95);
+}
+
+TEST(ChainAnswers, AreWhatWasWritten) {
+  for (const char* adaptive : {test::own_chains, test::own_choices, test::shared_chains}) {
+    const ChainExample example(adaptive);
+    const std::vector<ChainAnswer> written = simulated(example);
+    const ChainAnswers read = read_back(example, written);
+    std::vector<const ChainAnswer*> counted;
+    for (const ChainAnswer& one : written)
+      if (!one.is_practice) counted.push_back(&one);
+    ASSERT_EQ(read.answers.size(), counted.size());
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+      EXPECT_EQ(read.answers[i].of.answer.point, counted[i]->answer.point);
+      EXPECT_EQ(read.answers[i].of.answer.value, counted[i]->answer.value);
+      EXPECT_EQ(read.answers[i].of.answer.proposal, counted[i]->answer.proposal);
+      EXPECT_EQ(read.answers[i].of.answer.chose_proposal, counted[i]->answer.chose_proposal);
+    }
+  }
+}
+
+/// What reading and following says of the written answers after a change.
+std::string refusal(const ChainExample& example, std::vector<ChainAnswer> answers,
+                    const std::function<void(std::vector<ChainAnswer>&)>& change) {
+  change(answers);
+  try {
+    chain_paths(example.study, example.manifest.adaptive->across_participants,
+                read_back(example, answers));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ChainAnswers, AreRefusedWhereTheyDoNotFollow) {
+  const ChainExample example(test::own_chains);
+  const std::vector<ChainAnswer> answers = simulated(example);
+  const auto says = [&](const std::function<void(std::vector<ChainAnswer>&)>& change) {
+    return refusal(example, answers, change);
+  };
+  EXPECT_EQ(says([](auto&) {}), "");
+  // Rows 1 and 2 of each participant are practice; row 4 is the second step of a chain.
+  EXPECT_NE(says([](auto& rows) {
+              rows[3].answer.point[0] += 0.001;
+            }).find("steps.csv:5:1: the point is not the one"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows.erase(rows.begin() + 3); }).find("step 1 of this chain"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) {
+              rows[2].answer.point[0] += 0.01;
+            }).find("no chain of the experiment starts"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows[3].answer.value = 2.0; }).find("its range is"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows[3].answer.word = "glad"; }).find("no word"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows[3].design = "other"; }).find("not the design"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows[3].simulated = false; }).find("simulated and real"),
+            std::string::npos);
+  EXPECT_NE(says([](auto& rows) { rows[3].answer.step = 99; }).find("it has 0 to 15"),
+            std::string::npos);
+}
+
+TEST(ChainAnswers, OfWhoLeftEarlyAreNotUsed) {
+  const ChainExample example(test::own_chains);
+  std::vector<ChainAnswer> answers = simulated(example);
+  std::erase_if(answers,
+                [](const ChainAnswer& one) { return one.participant == "p002" && one.trial > 20; });
+  const ChainResults results = chain_results(example.study, read_back(example, answers), {});
+  EXPECT_EQ(results.incomplete, 1);
+  EXPECT_EQ(results.words[0].chains + results.words[1].chains, 7);
+}
+
+TEST(WordRatings, AreHighestForWhatLooksLikeThePrototype) {
+  const ChainExample example(
+      "{participants: 20, method: gibbs, words: [sad, angry], space: {groups: all}, "
+      "iterations: 8}");
+  const ChainResults results = results_of(example);
+  const ScaleSet scales = word_scales(example.manifest);
+  ASSERT_EQ(scales.scales.size(), 2u);
+  EXPECT_EQ(scales.scales[0].low, "not sad");
+  const CsvTable table =
+      parse_csv(word_ratings_csv(example.study, results, scales), "words.ratings.csv");
+  std::map<std::string, std::vector<double>> values;
+  for (const auto& row : table.rows) {
+    if (row[2].text == "sad") values[row[1].text].push_back(number_in(table, row[3]));
+    EXPECT_EQ(row[4].text, "1");
+  }
+  ASSERT_EQ(values.size(), 10u);
+  std::map<std::string, double> means;
+  for (const auto& [example_name, given] : values) {
+    ASSERT_EQ(given.size(), 20u);
+    means[example_name] = std::accumulate(given.begin(), given.end(), 0.0) / 20.0;
+  }
+  // The simulated people took the example for the word.
+  for (const auto& [name, mean] : means) EXPECT_LE(mean, means["sad"]) << name;
+  EXPECT_GT(means["sad"], 1.5);
+  EXPECT_LT(means["brisk"], 0.5);
+}
+
+TEST(WordRatings, MakeAdjectivesOfWords) {
+  const ChainExample example(test::own_chains);
+  const ChainResults results = results_of(example);
+  const ScaleSet scales = word_scales(example.manifest);
+  const test::TemporaryFolder folder;
+  write_file(folder.path() / "words.ratings.csv", word_ratings_csv(example.study, results, scales));
+  write_file(folder.path() / "words.scales.yaml",
+             "name: words\nscales:\n  sad: {low: not sad, high: sad}\n  happy: {low: not happy, "
+             "high: happy}\n");
+  const ManifestReading read = parse_manifest(
+      "mien: 1\nstudy: film\nexamples: {set: builtin:walks-10, ratings: words.ratings.csv, "
+      "scales: words.scales.yaml}\nstimuli:\n  - {id: a, adjectives: {sad: 0.8}}\n",
+      folder.path() / "film.yaml", [](const std::string&) { return std::nullopt; });
+  ASSERT_TRUE(read.faults.empty()) << Faults(read.faults).what();
+  Motions motions(read.manifest);
+  const Eigen::VectorXd weights = motions.of("a").weights;
+  const auto& names = motions.repertoire().names;
+  Eigen::Index most = 0;
+  weights.maxCoeff(&most);
+  EXPECT_EQ(weights.size(), 10);
+  EXPECT_NE(names[static_cast<std::size_t>(most)], "happy");
+}
+
+TEST(WordPrototypes, AreAManifestThatIsReady) {
+  for (const char* adaptive :
+       {test::own_chains, "{participants: 3, method: gibbs, words: [sad], space: {features: all}}",
+        "{participants: 3, method: gibbs, words: [sad], space: {weights: [sad, happy, tired]}}",
+        "{participants: 3, method: gibbs, words: [sad], space: {components: 2}}"}) {
+    const ChainExample example(adaptive);
+    const ChainResults results = results_of(example);
+    const test::TemporaryFolder folder;
+    write_file(folder.path() / "words.scales.yaml",
+               "name: words\nscales:\n  sad: {low: not sad, high: sad}\n  happy: {low: not happy, "
+               "high: happy}\n");
+    const Manifest prototypes = prototype_manifest(example.manifest, example.study, results,
+                                                   folder.path() / "words.scales.yaml");
+    const ManifestReading again =
+        parse_manifest(manifest_yaml(prototypes, folder.path()), folder.path() / "p.yaml",
+                       [](const std::string&) { return std::nullopt; });
+    EXPECT_TRUE(again.faults.empty()) << adaptive << Faults(again.faults).what();
+    ASSERT_EQ(again.manifest.stimuli.size(), example.study.design.words.size());
+    // The film is the motion that the participants saw of this point.
+    Motions motions(again.manifest);
+    motion::LiveCore core(example.study.bundle);
+    const motion::LiveMotion seen = core.make({.kind = example.study.dimensions.kind,
+                                               .sliders = example.study.design.dimensions,
+                                               .values = results.words[0].prototype()});
+    const Eigen::VectorXd& made = motions.of("sad").weights;
+    ASSERT_EQ(made.size(), seen.weights.size());
+    EXPECT_LT((made - seen.weights).cwiseAbs().maxCoeff(), 0.02) << adaptive;
+  }
+}
+
+TEST(ChainPlots, NameWordsAndDimensionsAndSaySimulated) {
+  const ChainExample example(test::own_chains);
+  const ChainResults results = results_of(example);
+  for (const Plot& plot : {chains_plot(results), prototypes_plot(results)}) {
+    const auto canvas = Canvas::svg(plot.width, plot.height);
+    plot.draw(*canvas);
+    std::string all;
+    for (const DrawnText& text : canvas->texts()) {
+      all += text.text + "\n";
+      EXPECT_GE(text.box.x, 0.0) << text.text;
+      EXPECT_LE(text.box.right(), plot.width) << text.text;
+      EXPECT_LE(text.box.bottom(), plot.height) << text.text;
+    }
+    for (const char* named : {"sad", "happy", "quickness", "largeness", "Simulated answers"})
+      EXPECT_NE(all.find(named), std::string::npos) << named;
+  }
+}
+
+}  // namespace
+}  // namespace mien::pipeline
