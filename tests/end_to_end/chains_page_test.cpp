@@ -270,6 +270,11 @@ TEST_F(ChainsPage, LeadsChainsAcrossParticipantsUntilTheyAreComplete) {
   }
 }
 
+TEST_F(ChainsPage, MovesTheFloorAsFarAsTheFigureWalks) {
+  const Ended ended = run_script("../figure/floor.mjs", {});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+}
+
 /// With a fake motion core and a fake server, which loses connections and refuses records.
 TEST_F(ChainsPage, BearsAServerThatFails) {
   const Ended ended = run_script("fake_served.mjs", {});

@@ -56,11 +56,11 @@ export function plannedStep(
   const { word = "", chain = 1, step = 0 } = trial;
   const start = session.starts[`${trial.practice ? "practice" : word}/${chain}`];
   if (!start) throw new Error(`The plan has no start of chain ${chain} of "${word}".`);
-  const point = session.trials
+  const [last] = session.trials
     .filter((one) => one.number < trial.number && one.practice === trial.practice && one.word === word && one.chain === chain)
-    .sort((a, b) => a.number - b.number)
-    .flatMap(({ number }) => records[`trial-${number}`]?.chain ?? [])
-    .reduce((before, record) => pointAfter({ ...record, point: before }), start);
+    .sort((a, b) => b.number - a.number)
+    .flatMap(({ number }) => records[`trial-${number}`]?.chain ?? []);
+  const point = last ? pointAfter(last) : start;
   const shown = { word, chain, step, person: 0, point };
   if (settings.method === "gibbs") return { ...shown, dimension: trial.dimension!, slider: trial.slider! };
   return { ...shown, proposal: proposalAt(point, trial.normals!, settings), proposal_first: trial.proposal_first! };

@@ -52,6 +52,3 @@ export class TrialAttempt {
     this.drawer.clear();
   }
 }
-
-/** Forgets the attempt of a session that is withdrawn. */
-export const forgetAttempt = (experiment: Of, session: string): void => drawerOf(experiment, session).clear();

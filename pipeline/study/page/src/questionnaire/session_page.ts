@@ -1,6 +1,5 @@
 // What the pages of all experiments begin and end with.
 
-import { forgetAttempt } from "./attempts";
 import { forgetDistance } from "./blind_spot";
 import { button, element } from "./elements";
 import type { Destination, Recruitment, SessionEnd } from "./experiment";
@@ -9,7 +8,7 @@ import { inLanguage, type InLanguages } from "./language";
 import { isPhone } from "./measures";
 import { runScript } from "./media";
 import { showTextPage } from "./text_view";
-import { SessionClosed, type Store } from "./store";
+import { forgetDrawers, SessionClosed, type Store } from "./store";
 import type { EarlyEnds } from "./early_ends";
 import { destinationOf, forgetParameters, keepForWindow, keptForWindow, returnElements, type Parameters } from "./recruitment";
 import { base, root, show, type Mode } from "./surroundings";
@@ -91,7 +90,7 @@ export function mayWithdraw(
   offerWithdrawal(texts, () => store.withdraw!(), (told) => {
     const { design } = experiment;
     forgetParameters(experiment, store.name);
-    forgetAttempt(experiment, store.name);
+    forgetDrawers(design, store.name);
     forgetDistance(store.name);
     ends?.note("withdrawn", { participant: store.session.participant, design, ended: "withdrawn" });
     const destination = told ?? destinationOf(experiment.recruitment, "withdrawn");

@@ -119,6 +119,12 @@ function keysInBrowser(): string[] {
   }
 }
 
+/** Forgets what this browser keeps of a browser session beside its records: attempts at trials, answers. */
+export function forgetDrawers(design: string, session: string): void {
+  for (const key of keysInBrowser())
+    if (key.startsWith(`mien/${design}/${session}/`)) new Drawer(key).clear();
+}
+
 function textsOfWindow(): Record<string, string> {
   try {
     const texts: unknown = JSON.parse(window.name);

@@ -44,14 +44,19 @@ const handedOut = (name, asked) => ({ word: asked === 1 ? "sad" : "proud", chain
 test("steps come from the server, which may fail, be slow, or have given one to somebody else", async () => {
   const said = [];
   let reloads = 0;
+  let waiting = Promise.resolve("");
   const { records, asked, given, sessions } = await taken(sharedExperiment("gibbs"), {
-    stepAt: (name, count) => (name === "trial-3" && count === 1 ? 503 : name === "trial-5" ? handedOut(name, 1) : handedOut(name, count)),
+    stepAt: (name, count) => (name === "trial-3" && count === 1 ? { status: 503 }
+      : name === "trial-7" && count === 1 ? { status: 503, error: "busy" }
+      : handedOut(name, name === "trial-5" || name === "trial-7" ? 1 : count)),
     refuses: (name, count) => (name === "trial-4" && count === 1 ? "taken" : ""),
   }, async ({ page, reload }, seen) => {
     if (seen !== "chains") return false;
     said.push(await page.locator(".chain-status").textContent());
-    const isFifth = (await page.locator(".progress").textContent()) === "3 of 12";
-    if (!isFifth || reloads) return false;
+    const place = await page.locator(".progress").textContent();
+    if (place === "4 of 12")
+      waiting = page.waitForSelector(".waiting").then((note) => note.textContent());
+    if (place !== "3 of 12" || reloads) return false;
     reloads += 1;
     await reload();
     return true;
@@ -59,7 +64,8 @@ test("steps come from the server, which may fail, be slow, or have given one to 
   assert.equal(sessions.size, 1);
   // Practice is planned: nothing is asked for it.
   assert.deepEqual(Object.keys(asked).map(numberOf), [3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14]);
-  assert.deepEqual([asked["trial-3"], asked["trial-4"], asked["trial-5"], asked["trial-6"]], [2, 2, 2, 1]);
+  assert.deepEqual([3, 4, 5, 6, 7].map((number) => asked[`trial-${number}`]), [2, 2, 2, 1, 2]);
+  assert.equal(await waiting, "Please wait a moment. Others are still answering, and your next one depends on their answers.");
   assert.equal(given["trial-4"], 2);
   assert.ok(said.includes("Someone else has already completed that one, so here is another. Thank you for your patience."));
   assert.equal(said.filter((one) => /reloaded/.test(one)).length, 1);
@@ -115,6 +121,26 @@ test("own chains outlive a reload behind a server, which sends no records back",
       assert.deepEqual(made(to).point, next);
     }
   }
+});
+
+test("whoever withdraws leaves nothing of the chains in the browser", async () => {
+  const experiment = chainExperiment("gibbs");
+  await fakePage(folder, experiment);
+  const server = await fakeServer(folder, experiment);
+  const { page } = await opener(browser)(`${server.base}/index.html`);
+  const kept = () => page.evaluate(() => Object.keys(localStorage).filter((key) => /chains|begun/.test(key)).length);
+  class Enough extends Error {}
+  await assert.rejects(take(page, { each: async (seen) => {
+    if (seen === "chains" && (await page.locator(".progress").textContent()) === "2 of 12") throw new Enough();
+    return false;
+  } }), Enough);
+  assert.equal(await kept(), 2);
+  await page.locator(".withdrawal > .button").click();
+  await page.locator("dialog .button").nth(1).click();
+  await page.waitForFunction(() => /have been deleted/.test(document.querySelector("main").innerText));
+  assert.equal(await kept(), 0);
+  server.close();
+  await page.context().close();
 });
 
 test("what was answered as the window was closed is sent again, and a step that was taken meanwhile is asked anew", async () => {

@@ -9,8 +9,8 @@ const bodyOf = async (request) => {
 
 /**
  * Serves the page in a folder with an experiment. `stepAt(trial, asked)` is the step of a trial that is asked for the
- * asked-th time: its JSON, or a number for an error of that status; `refuses(trial, given)` says why its given-th
- * record is not taken.
+ * asked-th time: its JSON, or { status, error }, or null where all chains are complete; `refuses(trial, given)` says why
+ * its given-th record is not taken.
  */
 export async function fakeServer(folder, experiment, { stepAt = () => null, refuses = () => "" } = {}) {
   const files = await filesOf(folder);
@@ -25,9 +25,10 @@ export async function fakeServer(folder, experiment, { stepAt = () => null, refu
       sessions.add(session);
       asked[name] = (asked[name] ?? 0) + 1;
       const step = stepAt(name, asked[name], records);
-      if (typeof step === "number") return [step, {}];
+      if (step?.status) return [step.status, { error: step.error }];
       return step ? [200, step] : [409, { error: "finished" }];
     },
+    withdrawal: async () => [200, {}],
     records: async (name, request) => {
       const record = await bodyOf(request);
       sessions.add(record.session);
@@ -39,7 +40,7 @@ export async function fakeServer(folder, experiment, { stepAt = () => null, refu
     },
   };
   const server = await serve(files, async (path, answer, request) => {
-    const [, kind, name = ""] = path.match(/^\/(session|step|records)(?:\.json|\/(.+))$/) ?? [];
+    const [, kind, name = ""] = path.match(/^\/(session|step|records|withdrawal)(?:\.json|\/(.+))?$/) ?? [];
     if (!kind) return false;
     const [status, body] = await answers[kind](name, request);
     answer.writeHead(status, { "Content-Type": "application/json" }).end(JSON.stringify(body));

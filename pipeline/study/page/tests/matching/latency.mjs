@@ -5,6 +5,7 @@
 // milliseconds from the slider's event to the end of the frame that shows the motion, and to the end of
 // the one that tells its D.
 import { resolve } from "node:path";
+import { sliderLatencies, summaryOf } from "../live/slider_latency.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
 import { take } from "./participant.mjs";
 
@@ -24,37 +25,9 @@ async function addSliders(page) {
   }
 }
 
-const latencies = (page) => page.evaluate(async (most) => {
-  const readings = document.querySelector(".readings");
-  const rows = [...document.querySelectorAll('.sliders input[type="range"]')];
-  const isOver = () => document.querySelector(".matching").dataset.step === "over";
-  const frame = () => new Promise((drawn) => requestAnimationFrame(() => {
-    const channel = new MessageChannel();
-    channel.port1.onmessage = drawn;  // once the frame is drawn
-    channel.port2.postMessage(0);
-  }));
-  const changed = (element, attribute) => new Promise((known) => {
-    const watch = new MutationObserver(() => { watch.disconnect(); known(true); });
-    watch.observe(element, { attributes: true, attributeFilter: [attribute] });
-    setTimeout(() => { watch.disconnect(); known(false); }, 5000);  // the trial is over, or nothing answers
-  });
-  const view = document.querySelector(".figure-view");
-  const took = [];
-  for (let i = 0; i < most + 2 && !isOver(); i += 1) {
-    const slider = rows[i % rows.length];
-    slider.value = String(((Number(slider.value) * 100 + 37) % 100) / 100);
-    const before = performance.now();
-    const until = (element, attribute) => changed(element, attribute)
-      .then((known) => known && frame().then(() => performance.now() - before));
-    const [told, shown] = [until(readings, "data-d"), until(view, "data-shown")];
-    slider.dispatchEvent(new Event("input", { bubbles: true }));
-    const times = { shown: await shown, told: await told };
-    if (!times.shown || !times.told) break;
-    if (i >= 2) took.push(times);  // the first ones still compile
-    await new Promise((rested) => setTimeout(rested, 30));
-  }
-  return { took, sliders: rows.length };
-}, Number(changes));
+const latencies = (page) => sliderLatencies(page, { sliders: '.sliders input[type="range"]',
+  over: '.matching[data-step="over"]', most: Number(changes),
+  seen: { shown: [".figure-view", "data-shown"], told: [".readings", "data-d"] } });
 
 const browser = await openBrowser();
 const page = await (await browser.newContext({ viewport: { width: 1366, height: 768 } })).newPage();
@@ -76,11 +49,5 @@ try {
   if (!(error instanceof Enough)) throw error;
 }
 await browser.close();
-for (const [kind, { took, sliders: count }] of measured) {
-  const of = (what) => {
-    const sorted = took.map((one) => one[what]).sort((a, b) => a - b);
-    const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))].toFixed(1);
-    return `median ${at(0.5)} ms, 90 % below ${at(0.9)} ms`;
-  };
-  console.log(`${kind}: ${count} sliders, ${took.length} changes; motion: ${of("shown")}; D: ${of("told")}`);
-}
+for (const [kind, { took, sliders: count }] of measured)
+  console.log(`${kind}: ${count} sliders, ${took.length} changes; motion: ${summaryOf(took, "shown")}; D: ${summaryOf(took, "told")}`);
