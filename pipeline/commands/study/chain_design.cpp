@@ -1,10 +1,12 @@
 #include "pipeline/commands/study/chain_design.h"
 
+#include <optional>
 #include <ostream>
 
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/commands/study/frozen_chains.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/study/chains/experiment/chain_study.h"
@@ -63,9 +65,12 @@ int design_chains(const Manifest& manifest, const ChainDesignCommand& design,
   Motions motions(manifest);
   const ChainStudy study = chain_study(manifest, motions, design.participants);
   const std::string csv = plans_csv(study.plans());
+  std::optional<FrozenArchive> archive;
+  if (!design.frozen.empty()) archive = frozen_chains(manifest, motions, study, design.frozen);
   if (design.plans.empty()) {
     console.out << csv;
     print_chains(manifest, study, console.err);
+    if (archive) write_archive(*archive);
     return exit_done;
   }
   std::vector<std::filesystem::path> read;
@@ -74,6 +79,9 @@ int design_chains(const Manifest& manifest, const ChainDesignCommand& design,
   print_chains(manifest, study, console.out);
   write_file(design.plans, csv);
   console.out << design.plans.string() << '\n';
+  if (!archive) return exit_done;
+  write_archive(*archive);
+  console.out << archive->file.string() << ": " << archive->files << " files\n";
   return exit_done;
 }
 

@@ -206,11 +206,14 @@ std::vector<fs::path> files_of_design(const DesignCommand& command, const Manife
 int design(const DesignCommand& command, const Console& console) {
   Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching || manifest.adaptive) {
-    if (command.power || !command.balance.empty() || !command.frozen.empty())
-      throw Error("--power, --balance and --freeze apply to questionnaires only",
+    if (command.power || !command.balance.empty())
+      throw Error("--power and --balance apply to questionnaires only",
                   "omit them for an experiment");
     if (manifest.adaptive)
-      return design_chains(manifest, {command.participants, command.plans}, console);
+      return design_chains(manifest, {command.participants, command.plans, command.frozen},
+                           console);
+    if (!command.frozen.empty())
+      throw Error("--freeze does not apply to matching experiments", "omit it");
     return design_matching(manifest, {command.participants, command.plans}, console);
   }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;

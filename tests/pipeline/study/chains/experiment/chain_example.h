@@ -8,7 +8,7 @@
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/chains/experiment/chain_study.h"
 
-namespace mien::pipeline::test {
+namespace mien::pipeline {
 
 inline ManifestReading chain_reading(const std::string& adaptive) {
   return parse_manifest(
@@ -51,4 +51,4 @@ inline constexpr char shared_chains[] =
     "largeness]}, chains: 2, iterations: 3, across_participants: true, people_per_step: 3, "
     "trials_per_participant: 40, practice: 1}";
 
-}  // namespace mien::pipeline::test
+}  // namespace mien::pipeline

@@ -10,11 +10,8 @@
 namespace mien::pipeline {
 namespace {
 
-using test::chain_fault;
-using test::ChainExample;
-
 TEST(ChainPlan, FreesEachDimensionOnceInASweep) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   const ChainDesign& design = example.study.design;
   ASSERT_EQ(design.dimensions.size(), 4u);
   ASSERT_EQ(design.steps, 16);
@@ -33,7 +30,7 @@ TEST(ChainPlan, FreesEachDimensionOnceInASweep) {
 }
 
 TEST(ChainPlan, StartsWithinWhatTheExamplesReach) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   const Eigen::MatrixXd& at = example.study.dimensions.at_examples;
   std::set<std::vector<double>> starts;
   for (int chain = 1; chain <= 200; ++chain) {
@@ -56,7 +53,7 @@ TEST(ChainPlan, StartsWithinWhatTheExamplesReach) {
 }
 
 TEST(ChainPlan, DoesNotChangeWithMoreParticipants) {
-  const ChainExample few(test::own_chains);
+  const ChainExample few(own_chains);
   Motions motions(few.manifest);
   const ChainStudy more = chain_study(few.manifest, motions, 7);
   ASSERT_EQ(more.sessions.size(), 7u);
@@ -67,7 +64,7 @@ TEST(ChainPlan, DoesNotChangeWithMoreParticipants) {
 }
 
 TEST(ChainPlan, GivesEachWordFirstToAsManyParticipants) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   std::map<std::string, int> first;
   for (const ChainSession& session : example.study.sessions)
     ++first[std::ranges::find(session.plan.trials, false, &Trial::practice)->block];
@@ -111,7 +108,7 @@ TEST(ChainPlan, HasComponentsInTheOrderOfWhatTheyExplain) {
 }
 
 TEST(AdaptiveChecks, RefuseWhatCannotBe) {
-  EXPECT_EQ(chain_fault(test::own_chains), "");
+  EXPECT_EQ(chain_fault(own_chains), "");
   const auto with = [](const std::string& more) {
     return chain_fault("{participants: 4, method: gibbs, words: [sad], " + more + "}");
   };
@@ -142,7 +139,7 @@ TEST(AdaptiveChecks, RefuseWhatCannotBe) {
 }
 
 TEST(AdaptiveChecks, RefuseExamplesThatDoNotVary) {
-  ManifestReading read = test::chain_reading(
+  ManifestReading read = chain_reading(
       "{participants: 1, method: gibbs, words: [sad], space: {weights: [sad, hapy]}}");
   ASSERT_FALSE(read.faults.empty());
   EXPECT_NE(std::string(Faults(read.faults).what()).find("happy"), std::string::npos);

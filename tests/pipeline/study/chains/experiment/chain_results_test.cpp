@@ -20,8 +20,6 @@
 namespace mien::pipeline {
 namespace {
 
-using test::ChainExample;
-
 /// The answers of simulated people, written and read.
 ChainAnswers read_back(const ChainExample& example, const std::vector<ChainAnswer>& answers) {
   const test::TemporaryFolder folder;
@@ -87,7 +85,7 @@ TEST(ChainResults, FindAKnownDistributionWithChoices) {
 }
 
 TEST(ChainResults, OfManyPeopleComeNearTheMiddle) {
-  const ChainExample example(test::shared_chains);
+  const ChainExample example(shared_chains);
   const ChainResults results = results_of(example);
   ASSERT_EQ(results.paths.size(), 4u);
   for (const ChainPath& path : results.paths) {
@@ -136,7 +134,7 @@ TEST(ChainIntervals, HoldTheTruthAsOftenAsTheySayIn200Studies) {
 }
 
 TEST(ChainAnswers, AreWhatWasWritten) {
-  for (const char* adaptive : {test::own_chains, test::own_choices, test::shared_chains}) {
+  for (const char* adaptive : {own_chains, own_choices, shared_chains}) {
     const ChainExample example(adaptive);
     const std::vector<ChainAnswer> written = simulated(example);
     const ChainAnswers read = read_back(example, written);
@@ -167,7 +165,7 @@ std::string refusal(const ChainExample& example, std::vector<ChainAnswer> answer
 }
 
 TEST(ChainAnswers, AreRefusedWhereTheyDoNotFollow) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   const std::vector<ChainAnswer> answers = simulated(example);
   const auto says = [&](const std::function<void(std::vector<ChainAnswer>&)>& change) {
     return refusal(example, answers, change);
@@ -197,7 +195,7 @@ TEST(ChainAnswers, AreRefusedWhereTheyDoNotFollow) {
 }
 
 TEST(ChainAnswers, OfWhoLeftEarlyAreNotUsed) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   std::vector<ChainAnswer> answers = simulated(example);
   std::erase_if(answers,
                 [](const ChainAnswer& one) { return one.participant == "p002" && one.trial > 20; });
@@ -234,7 +232,7 @@ TEST(WordRatings, AreHighestForWhatLooksLikeThePrototype) {
 }
 
 TEST(WordRatings, MakeAdjectivesOfWords) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   const ChainResults results = results_of(example);
   const ScaleSet scales = word_scales(example.manifest);
   const test::TemporaryFolder folder;
@@ -253,12 +251,12 @@ TEST(WordRatings, MakeAdjectivesOfWords) {
   Eigen::Index most = 0;
   weights.maxCoeff(&most);
   EXPECT_EQ(weights.size(), 10);
-  EXPECT_NE(names[static_cast<std::size_t>(most)], "happy");
+  EXPECT_NE(names[static_cast<std::size_t>(most)].name, "happy");
 }
 
 TEST(WordPrototypes, AreAManifestThatIsReady) {
   for (const char* adaptive :
-       {test::own_chains, "{participants: 3, method: gibbs, words: [sad], space: {features: all}}",
+       {own_chains, "{participants: 3, method: gibbs, words: [sad], space: {features: all}}",
         "{participants: 3, method: gibbs, words: [sad], space: {weights: [sad, happy, tired]}}",
         "{participants: 3, method: gibbs, words: [sad], space: {components: 2}}"}) {
     const ChainExample example(adaptive);
@@ -287,7 +285,7 @@ TEST(WordPrototypes, AreAManifestThatIsReady) {
 }
 
 TEST(ChainPlots, NameWordsAndDimensionsAndSaySimulated) {
-  const ChainExample example(test::own_chains);
+  const ChainExample example(own_chains);
   const ChainResults results = results_of(example);
   for (const Plot& plot : {chains_plot(results), prototypes_plot(results)}) {
     const auto canvas = Canvas::svg(plot.width, plot.height);
