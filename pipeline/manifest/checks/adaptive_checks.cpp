@@ -3,6 +3,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/adaptive_plan.h"
@@ -30,6 +31,7 @@ class AdaptiveCheck {
                 manifest_.questionnaire ? "there is also a questionnaire"
                                         : "there is also a matching experiment",
                 "a manifest has one of them; use separate manifests");
+    check_kinds();
     check_dimensions();
     check_settings();
     if (dimension_count(manifest_) > 0) check_length();
@@ -39,6 +41,19 @@ class AdaptiveCheck {
 
  private:
   static std::string at(const char* key) { return member_path("adaptive", key); }
+
+  void check_kinds() {
+    std::vector<std::string> given;
+    for (const auto& [word, kind] : space_words)
+      if (manifest_.places.values.contains(member_path(at("space"), std::string(word))))
+        given.emplace_back(word);
+    if (given.size() == 1) return;
+    list_.add(at("space"),
+              given.empty()
+                  ? "no dimensions"
+                  : fmt::format("dimensions of several kinds: {}", fmt::join(given, ", ")),
+              "name one of groups, scales, features, weights and components");
+  }
 
   void check_dimensions() {
     const MotionSpace& space = adaptive_.space;

@@ -115,7 +115,9 @@ TEST(AdaptiveChecks, RefuseWhatCannotBe) {
   EXPECT_NE(with("space: {groups: [quicknes]}").find("quickness"), std::string::npos);
   EXPECT_NE(with("space: {features: [step-lenght]}").find("step-length"), std::string::npos);
   EXPECT_NE(with("space: {weights: [sad]}").find("single example"), std::string::npos);
-  EXPECT_NE(with("space: {groups: all, features: all}").find("adaptive.space"), std::string::npos);
+  EXPECT_NE(with("space: {groups: all, features: all}").find("several kinds: groups, features"),
+            std::string::npos);
+  EXPECT_NE(with("space: {}").find("no dimensions"), std::string::npos);
   EXPECT_NE(with("space: {groups: all}, people_per_step: 2").find("across_participants"),
             std::string::npos);
   EXPECT_NE(with("space: {groups: all}, aggregate: mean").find("people_per_step"),
@@ -131,11 +133,12 @@ TEST(AdaptiveChecks, RefuseWhatCannotBe) {
                         "across_participants: true, people_per_step: 2}")
                 .find("cannot be combined"),
             std::string::npos);
-  EXPECT_NE(with("space: {groups: all}\nquestionnaire: {participants: 2, scales: all")
+  EXPECT_NE(chain_fault("{participants: 4, method: gibbs, words: [sad], space: {groups: all}}\n"
+                        "questionnaire: {participants: 2, scales: all}")
                 .find("a manifest has one of them"),
             std::string::npos);
   // One message for each, with its place.
-  EXPECT_NE(with("space: {groups: [quicknes]}").find("words.yaml:5:"), std::string::npos);
+  EXPECT_NE(with("space: {groups: [quicknes]}").find("words.yaml:6:"), std::string::npos);
 }
 
 TEST(AdaptiveChecks, RefuseExamplesThatDoNotVary) {
