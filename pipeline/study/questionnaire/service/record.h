@@ -11,6 +11,7 @@
 #include "pipeline/manifest/screening.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/thresholds/track_procedure.h"
 #include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
@@ -54,6 +55,7 @@ struct QuestionnaireFacts {
   std::map<std::string, std::string> sha256;  ///< hash of the media, by stimulus
   std::map<std::string, double> seconds;      ///< duration of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< only in a matching experiment
+  std::optional<TrackProcedure> tracks;       ///< only with adaptive trials
 };
 
 /// Combines an item of a trial with its scale and choices.
@@ -80,6 +82,9 @@ struct PageRecord {
   std::string language;                    ///< only of consent: that of the page; empty: unknown
   std::vector<std::string> media_sha256;   ///< hashes of the stimuli shown, then of the reference
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
+  std::optional<int> level;  ///< of an adaptive trial: the place of the level shown, from 0
+  /// The track of an adaptive trial had ended, so that nothing was shown.
+  bool is_track_ended = false;
 };
 
 /// Text as tables have it: control characters other than line breaks and tabs become spaces.
@@ -92,6 +97,10 @@ PageRecord read_record(const nlohmann::json& text);
 /// Names of a session's records in order: "consent", "screening" (if there is one), "demographics"
 /// (if there are demographic questions), "trial-1", …, "ending".
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts);
+
+/// The trial as the record says that it was shown: of an adaptive trial at a level, otherwise as
+/// planned.
+Trial shown_trial(const QuestionnaireFacts& facts, const Trial& trial, const PageRecord& record);
 
 /// One row for each response of a trial, in their order; of a trial that was left out since its
 /// stimuli could not be played (play_fault), one for each item, without an answer. The record must

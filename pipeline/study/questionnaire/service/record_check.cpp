@@ -72,8 +72,24 @@ void check_trace(const QuestionnaireFacts& facts, const Trial& trial,
     throw RecordFault(fmt::format("a trace of {} samples, and its film has {}", count, wanted));
 }
 
+/// Checks what a record says about the level of a trial, apart from whether it follows from earlier
+/// answers (track_check.h).
+void check_level_member(const QuestionnaireFacts& facts, const Trial& trial,
+                        const PageRecord& record) {
+  const bool is_adaptive = trial.is_adaptive() && facts.tracks;
+  if (record.is_track_ended && !is_adaptive) throw RecordFault("this trial belongs to no track");
+  if (record.level.has_value() != (is_adaptive && !record.is_track_ended))
+    throw RecordFault(is_adaptive ? "the level of an adaptive trial is missing, or not expected"
+                                  : "this trial has no levels");
+  if (record.level && *record.level >= static_cast<int>(facts.tracks->levels.size()))
+    throw RecordFault(fmt::format("there is no level {}", *record.level));
+}
+
 void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
-                        const Trial& trial, const PageRecord& record) {
+                        const Trial& planned, const PageRecord& record) {
+  check_level_member(facts, planned, record);
+  if (record.is_track_ended) return check_items(record, {});
+  const Trial trial = shown_trial(facts, planned, record);
   if (record.matching.has_value() != (trial.kind == &matching_trials))
     throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
@@ -181,6 +197,8 @@ bool is_refusal(const PageRecord& record) {
 
 void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record) {
+  if ((record.level || record.is_track_ended) && trial_of(plan, record.name) == nullptr)
+    throw RecordFault("this page has no levels");
   if (record.matching && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no matching trial");
   check_url_parameters(facts, record);

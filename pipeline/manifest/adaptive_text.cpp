@@ -1,0 +1,133 @@
+#include "pipeline/manifest/adaptive_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pipeline/manifest/adaptive_levels.h"
+#include "pipeline/manifest/questionnaire_content.h"
+
+namespace mien::pipeline {
+
+namespace {
+
+std::string counted(int count, const std::string& one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+/// "1 negative answer", "3 positive answers in succession"
+std::string answers_text(int count, const char* which) {
+  return counted(count, fmt::format("{} answer", which)) + (count > 1 ? " in succession" : "");
+}
+
+/// "easiest", "middle"
+std::string start_text(const AdaptiveTrialSettings& adaptive) {
+  return std::string(word_of(staircase_start_words, adaptive.start));
+}
+
+std::string percent_text(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+
+std::string reference_text(const Manifest& manifest) {
+  const TrialForm* form = questionnaire_of(manifest).trials;
+  const std::size_t count = adaptive_levels(manifest).references.size();
+  const std::string stimuli =
+      fmt::format("{} stimul{} without the signal", count, count == 1 ? "us" : "i");
+  if (form == &two_interval_form)
+    return fmt::format("Each trial shows a stimulus of the level and one of {}, in random order",
+                       stimuli);
+  if (form == &same_different_form)
+    return fmt::format(
+        "Each trial of a track shows a stimulus of the level and one of {}, in random "
+        "order; {} show one of the latter twice",
+        stimuli, counted(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"));
+  return fmt::format("{} at random places show one of {}",
+                     counted(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"),
+                     stimuli);
+}
+
+}  // namespace
+
+std::string levels_text(const Manifest& manifest) {
+  const AdaptiveLevels levels = adaptive_levels(manifest);
+  std::vector<std::string> names;
+  for (const AdaptiveLevel& level : levels.grid) names.push_back(level.text);
+  return fmt::format("{} levels of {} ({})", names.size(),
+                     questionnaire_of(manifest).adaptive.factor, fmt::join(names, ", "));
+}
+
+std::string positive_answers_text(const TrialForm& form) {
+  if (&form == &yes_no_form) return "answers “yes”";
+  if (&form == &same_different_form) return "answers “different”";
+  return "right answers";
+}
+
+std::string level_rule_text(const Manifest& manifest) {
+  const AdaptiveTrialSettings& adaptive = questionnaire_of(manifest).adaptive;
+  if (adaptive.method == AdaptiveMethod::quest)
+    return "QUEST+ chooses the level whose answer is expected to tell the most about the location, "
+           "the width, the guess rate and the lapse rate of a logistic psychometric function";
+  return fmt::format(
+      "A staircase begins with the {} level; after {} it goes {} to a harder level, after {} {} to "
+      "an easier one, and so comes to {} {}",
+      start_text(adaptive), answers_text(adaptive.down, "positive"),
+      counted(adaptive.step.down, "place"), answers_text(adaptive.up, "negative"),
+      counted(adaptive.step.up, "place"), percent_text(staircase_proportion(adaptive)),
+      positive_answers_text(*questionnaire_of(manifest).trials));
+}
+
+std::string track_end_text(const AdaptiveTrialSettings& adaptive) {
+  const std::string trials = counted(adaptive.trials, "trial");
+  if (adaptive.reversals == 0) return trials;
+  return fmt::format("{}, or {}", counted(adaptive.reversals, "reversal"), trials);
+}
+
+std::vector<std::string> adaptive_sentences(const Manifest& manifest) {
+  const AdaptiveTrialSettings& adaptive = questionnaire_of(manifest).adaptive;
+  return {fmt::format("{}, from the hardest to the easiest.", levels_text(manifest)),
+          reference_text(manifest) + ".", level_rule_text(manifest) + ".",
+          fmt::format(
+              "There {} with answers of {} own{}; {} after {}.",
+              adaptive.tracks == 1 ? "is 1 track" : fmt::format("are {} tracks", adaptive.tracks),
+              adaptive.tracks == 1 ? "its" : "their",
+              adaptive.tracks == 1 ? "" : ", interleaved at random in the plans",
+              adaptive.tracks == 1 ? "it ends" : "each ends", track_end_text(adaptive))};
+}
+
+std::vector<std::string> threshold_sentences(const Manifest& manifest, const std::string& was) {
+  const Questionnaire& asked = questionnaire_of(manifest);
+  const AdaptiveTrialSettings& adaptive = asked.adaptive;
+  const std::string rates = asked.trials == &two_interval_form
+                                ? "a guess rate of 0.5 and a lapse rate from 0 to 0.06"
+                                : "a guess rate from 0 to 0.5, to which trials without the signal "
+                                  "contribute, and a lapse "
+                                  "rate from 0 to 0.06";
+  std::vector<std::string> sentences = {
+      fmt::format("A logistic psychometric function with {} {} fitted by maximum likelihood to the "
+                  "answers of each participant and to all answers together",
+                  rates, was),
+      fmt::format("The threshold {} the level of {} at which the function gives {} {}", was,
+                  adaptive.factor, percent_text(threshold_proportion(adaptive)),
+                  positive_answers_text(*asked.trials)),
+      fmt::format("Intervals of thresholds and slopes (95 %) and the probability of the deviance "
+                  "{} determined by the parametric bootstrap",
+                  was == "is" ? "are" : "were"),
+      fmt::format(
+          "The mean of the participants’ thresholds {} given with a 95 % interval (Student)", was)};
+  if (adaptive.method == AdaptiveMethod::staircase)
+    sentences.push_back(fmt::format(
+        "For each track, the mean level of the reversals after the first two {} given", was));
+  else
+    sentences.push_back(fmt::format(
+        "For each participant, the mean of the posterior distribution of the threshold {} given "
+        "with its 95 % credible interval",
+        was));
+  return sentences;
+}
+
+std::string adaptive_plan_text(const Manifest& manifest) {
+  if (questionnaire_of(manifest).adaptive.empty()) return "";
+  std::string text = "Adaptive trials.";
+  for (const std::string& sentence : adaptive_sentences(manifest)) text += " " + sentence;
+  return text + "\n";
+}
+
+}  // namespace mien::pipeline
