@@ -49,7 +49,10 @@ export async function storeOf<Own extends { participant: string }>(
       rememberJoined(experiment, given, path));
   const unsent = unsentRecord(experiment, base());
   const store = servedStore(experiment, base());
-  if (unsent) await store.keep(unsent, waitNote(root(), texts));
+  if (unsent) {
+    await store.keep(unsent, waitNote(root(), texts));
+    store.records[unsent.record] = unsent;
+  }
   return store;
 }
 

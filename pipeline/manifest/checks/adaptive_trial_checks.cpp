@@ -186,7 +186,7 @@ class AdaptiveCheck {
 
 }  // namespace
 
-std::vector<Fault> check_adaptive(const Manifest& manifest) {
+std::vector<Fault> check_adaptive_trials(const Manifest& manifest) {
   if (!manifest.questionnaire || manifest.questionnaire->adaptive.empty()) return {};
   return AdaptiveCheck(manifest).faults();
 }
