@@ -18,17 +18,17 @@ namespace mien::pipeline {
 namespace {
 
 /// 1 if higher levels are easier, otherwise −1.
-double sign_of(const AdaptiveTrialSettings& adaptive) {
+double ease_sign(const AdaptiveTrialSettings& adaptive) {
   return adaptive.easier == LevelDirection::rising ? 1.0 : -1.0;
 }
 
-bool is_among(const std::string& id, const std::vector<std::string>& ids) {
+bool is_one_of(const std::string& id, const std::vector<std::string>& ids) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
 /// The number of factors of the design in which two stimuli have the same level.
-std::ptrdiff_t agreement(const Manifest& manifest, const std::string& one,
-                         const std::string& other) {
+std::ptrdiff_t number_of_shared_levels(const Manifest& manifest, const std::string& one,
+                                       const std::string& other) {
   return std::ranges::count_if(studied_factors(manifest), [&](const std::string& factor) {
     return level_of(manifest, one, factor) == level_of(manifest, other, factor);
   });
@@ -58,7 +58,7 @@ double adaptive_level_of(const Manifest& manifest, const std::string& stimulus) 
 }
 
 std::vector<std::string> stimuli_above_hardest_level(const Manifest& manifest) {
-  const double sign = sign_of(questionnaire_of(manifest).adaptive);
+  const double sign = ease_sign(questionnaire_of(manifest).adaptive);
   std::vector<std::string> ids = questionnaire_stimuli(manifest);
   double hardest = std::numeric_limits<double>::infinity();
   for (const std::string& id : ids)
@@ -75,7 +75,7 @@ AdaptiveLevels adaptive_levels(const Manifest& manifest) {
   const std::vector<std::string> signal = signal_stimuli(manifest);
   AdaptiveLevels levels;
   for (const std::string& id : questionnaire_stimuli(manifest)) {
-    if (!is_among(id, signal)) {
+    if (!is_one_of(id, signal)) {
       levels.references.push_back(id);
       continue;
     }
@@ -86,7 +86,7 @@ AdaptiveLevels adaptive_levels(const Manifest& manifest) {
       found = levels.grid.insert(found, {value, level_of(manifest, id, asked.adaptive.factor), {}});
     found->stimuli.push_back(id);
   }
-  const double sign = sign_of(asked.adaptive);
+  const double sign = ease_sign(asked.adaptive);
   std::ranges::sort(levels.grid, {},
                     [&](const AdaptiveLevel& level) { return sign * level.value; });
   return levels;
@@ -96,10 +96,10 @@ std::vector<std::string> references_of(const Manifest& manifest, const AdaptiveL
                                        const std::string& stimulus) {
   std::ptrdiff_t most = 0;
   for (const std::string& reference : levels.references)
-    most = std::max(most, agreement(manifest, stimulus, reference));
+    most = std::max(most, number_of_shared_levels(manifest, stimulus, reference));
   std::vector<std::string> agreeing = levels.references;
   std::erase_if(agreeing, [&](const std::string& reference) {
-    return agreement(manifest, stimulus, reference) < most;
+    return number_of_shared_levels(manifest, stimulus, reference) < most;
   });
   return agreeing;
 }

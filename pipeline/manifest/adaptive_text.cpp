@@ -10,23 +10,23 @@ namespace mien::pipeline {
 
 namespace {
 
-std::string counted(int count, const std::string& one) {
+std::string count_text(int count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
 /// "1 negative answer", "3 positive answers in succession"
-std::string answers_text(int count, const char* which) {
-  return counted(count, fmt::format("{} answer", which)) + (count > 1 ? " in succession" : "");
+std::string run_of_answers(int count, const char* which) {
+  return count_text(count, fmt::format("{} answer", which)) + (count > 1 ? " in succession" : "");
 }
 
 /// "easiest", "middle"
-std::string start_text(const AdaptiveTrialSettings& adaptive) {
+std::string first_level_text(const AdaptiveTrialSettings& adaptive) {
   return std::string(word_of(staircase_start_words, adaptive.start));
 }
 
-std::string percent_text(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
+std::string share_text(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
-std::string reference_text(const Manifest& manifest) {
+std::string shown_pairs_text(const Manifest& manifest) {
   const TrialForm* form = questionnaire_of(manifest).trials;
   const std::size_t count = adaptive_levels(manifest).references.size();
   const std::string stimuli =
@@ -38,9 +38,9 @@ std::string reference_text(const Manifest& manifest) {
     return fmt::format(
         "Each trial of a track shows a stimulus of the level and one of {}, in random "
         "order; {} show one of the latter twice",
-        stimuli, counted(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"));
+        stimuli, count_text(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"));
   return fmt::format("{} at random places show one of {}",
-                     counted(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"),
+                     count_text(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"),
                      stimuli);
 }
 
@@ -68,22 +68,22 @@ std::string level_rule_text(const Manifest& manifest) {
   return fmt::format(
       "A staircase begins with the {} level; after {} it goes {} to a harder level, after {} {} to "
       "an easier one, and so comes to {} {}",
-      start_text(adaptive), answers_text(adaptive.down, "positive"),
-      counted(adaptive.step.down, "place"), answers_text(adaptive.up, "negative"),
-      counted(adaptive.step.up, "place"), percent_text(staircase_proportion(adaptive)),
+      first_level_text(adaptive), run_of_answers(adaptive.down, "positive"),
+      count_text(adaptive.step.down, "place"), run_of_answers(adaptive.up, "negative"),
+      count_text(adaptive.step.up, "place"), share_text(staircase_proportion(adaptive)),
       positive_answers_text(*questionnaire_of(manifest).trials));
 }
 
 std::string track_end_text(const AdaptiveTrialSettings& adaptive) {
-  const std::string trials = counted(adaptive.trials, "trial");
+  const std::string trials = count_text(adaptive.trials, "trial");
   if (adaptive.reversals == 0) return trials;
-  return fmt::format("{}, or {}", counted(adaptive.reversals, "reversal"), trials);
+  return fmt::format("{}, or {}", count_text(adaptive.reversals, "reversal"), trials);
 }
 
 std::vector<std::string> adaptive_sentences(const Manifest& manifest) {
   const AdaptiveTrialSettings& adaptive = questionnaire_of(manifest).adaptive;
   return {fmt::format("{}, from the hardest to the easiest.", levels_text(manifest)),
-          reference_text(manifest) + ".", level_rule_text(manifest) + ".",
+          shown_pairs_text(manifest) + ".", level_rule_text(manifest) + ".",
           fmt::format(
               "There {} with answers of {} own{}; {} after {}.",
               adaptive.tracks == 1 ? "is 1 track" : fmt::format("are {} tracks", adaptive.tracks),
@@ -105,7 +105,7 @@ std::vector<std::string> threshold_sentences(const Manifest& manifest, const std
                   "answers of each participant and to all answers together",
                   rates, was),
       fmt::format("The threshold {} the level of {} at which the function gives {} {}", was,
-                  adaptive.factor, percent_text(threshold_proportion(adaptive)),
+                  adaptive.factor, share_text(threshold_proportion(adaptive)),
                   positive_answers_text(*asked.trials)),
       fmt::format("Intervals of thresholds and slopes (95 %) and the probability of the deviance "
                   "{} determined by the parametric bootstrap",

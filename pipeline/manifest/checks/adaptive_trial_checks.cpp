@@ -21,14 +21,14 @@ namespace {
 constexpr int most_session_trials = 1000;
 
 /// The probability of a right answer by guessing in two-interval trials.
-constexpr double chance = 0.5;
+constexpr double guessed_share = 0.5;
 
-std::string asked_path(std::string_view key) {
+std::string questionnaire_path(std::string_view key) {
   return member_path("questionnaire", std::string(key));
 }
 
-std::string own_path(std::string_view key) {
-  return member_path(asked_path("adaptive"), std::string(key));
+std::string adaptive_path(std::string_view key) {
+  return member_path(questionnaire_path("adaptive"), std::string(key));
 }
 
 /// Checks the adaptive trials of a questionnaire that has them.
@@ -56,7 +56,7 @@ class AdaptiveCheck {
 
   bool is_of_detection() {
     if (asked_.trials->is_detection) return true;
-    list_.add_at_key(asked_path("adaptive"),
+    list_.add_at_key(questionnaire_path("adaptive"),
                      fmt::format("{} trials are not adaptive", asked_.trials->name),
                      "add trials: two_interval, yes_no or same_different");
     return false;
@@ -70,44 +70,45 @@ class AdaptiveCheck {
   void check_other_keys() {
     for (const char* key :
          {"per_participant", "pairs", "warm_up", "retest", "order", "no_repeats", "same_different"})
-      refuse(asked_path(key), "adaptive trials choose what is shown by the answers", "omit it");
+      refuse(questionnaire_path(key), "adaptive trials choose what is shown by the answers",
+             "omit it");
     if (is_two_interval())
-      refuse(own_path("noise"), "each two-interval trial has one stimulus without the signal",
+      refuse(adaptive_path("noise"), "each two-interval trial has one stimulus without the signal",
              "omit it");
   }
 
   void check_method_keys() {
     if (is_staircase()) return;
     for (const char* key : {"up", "down", "step", "reversals", "start"})
-      refuse(own_path(key), fmt::format("only staircases have {}", key),
+      refuse(adaptive_path(key), fmt::format("only staircases have {}", key),
              "omit it, or use method: staircase");
   }
 
   void check_proportion() {
     if (!is_two_interval()) return;
-    if (is_staircase() && staircase_proportion(adaptive_) <= chance + 1e-9)
-      list_.add(own_path("down"),
+    if (is_staircase() && staircase_proportion(adaptive_) <= guessed_share + 1e-9)
+      list_.add(adaptive_path("down"),
                 fmt::format("a staircase with up: {} and down: {} comes to {:.3g} % right answers, "
                             "and half of all guesses are right",
                             adaptive_.up, adaptive_.down, 100.0 * staircase_proportion(adaptive_)),
                 "use a larger number, such as down: 2");
-    if (adaptive_.proportion && *adaptive_.proportion <= chance)
-      list_.add(own_path("proportion"), "half of all guesses are right", "use more than 0.5");
+    if (adaptive_.proportion && *adaptive_.proportion <= guessed_share)
+      list_.add(adaptive_path("proportion"), "half of all guesses are right", "use more than 0.5");
   }
 
   void check_count() {
     const int trials = adaptive_session_trials(asked_);
     if (trials > most_session_trials)
-      list_.add(own_path("trials"), fmt::format("a session would have {} trials", trials),
+      list_.add(adaptive_path("trials"), fmt::format("a session would have {} trials", trials),
                 fmt::format("use fewer trials or tracks, at most {} in all", most_session_trials));
   }
 
   bool is_factor_known() {
     const std::vector<std::string> known = factors_of(manifest_);
     if (known.empty())
-      list_.add(own_path("factor"), "the stimuli have no factors",
+      list_.add(adaptive_path("factor"), "the stimuli have no factors",
                 "add factors: {sadness: 0.4} to the stimuli");
-    list_.check_known_name(own_path("factor"), adaptive_.factor, "factor", known);
+    list_.check_known_name(adaptive_path("factor"), adaptive_.factor, "factor", known);
     return std::ranges::find(known, adaptive_.factor) != known.end();
   }
 
@@ -119,7 +120,7 @@ class AdaptiveCheck {
       const bool is_reference = std::ranges::find(levels.references, id) != levels.references.end();
       if (is_reference && is_two_interval() && !is_default_signal()) continue;
       const std::string level = level_of(manifest_, id, adaptive_.factor);
-      list_.add(own_path("factor"),
+      list_.add(adaptive_path("factor"),
                 level.empty()
                     ? fmt::format("{} has no level of {}", motion::in_quotes(id), adaptive_.factor)
                     : fmt::format("the level {} of {} is not a number", motion::in_quotes(level),
@@ -140,16 +141,16 @@ class AdaptiveCheck {
     const std::size_t count = levels.grid.size();
     if (count < least_adaptive_levels)
       return list_.add(
-          own_path("factor"),
+          adaptive_path("factor"),
           fmt::format("there are {} levels of {} with the signal", count, adaptive_.factor),
           fmt::format("show stimuli of at least {}{}", least_adaptive_levels,
                       is_default_signal() ? ", and of one without the signal" : ""));
     if (count > most_adaptive_levels)
-      return list_.add(own_path("factor"),
+      return list_.add(adaptive_path("factor"),
                        fmt::format("there are {} levels of {}", count, adaptive_.factor),
                        fmt::format("use at most {}", most_adaptive_levels));
     if (levels.references.empty())
-      return list_.add(asked_path("signal"), "all of the stimuli have the signal",
+      return list_.add(questionnaire_path("signal"), "all of the stimuli have the signal",
                        "show stimuli without the signal, too");
     check_reference_levels(levels);
     check_steps(static_cast<int>(count));
@@ -163,7 +164,7 @@ class AdaptiveCheck {
     for (const std::string& id : levels.references) {
       const double level = adaptive_level_of(manifest_, id);
       if (is_rising ? level < hardest : level > hardest) continue;
-      return list_.add(own_path("factor"),
+      return list_.add(adaptive_path("factor"),
                        fmt::format("{} has no signal, but its level {:g} is not {} all levels with "
                                    "the signal",
                                    motion::in_quotes(id), level, is_rising ? "below" : "above"),
@@ -173,7 +174,7 @@ class AdaptiveCheck {
 
   void check_steps(int levels) {
     if (std::max(adaptive_.step.up, adaptive_.step.down) >= levels)
-      list_.add(own_path("step"),
+      list_.add(adaptive_path("step"),
                 fmt::format("a step is as large as the grid of {} levels", levels),
                 "use smaller steps, in places of the grid");
   }

@@ -37,7 +37,7 @@ void count_session(const SessionPlan& plan, Balance& balance) {
   std::string before;  // empty: none, or a stimulus with itself
   int position = 0;
   for (const Trial& trial : plan.trials) {
-    if (!trial.is_analysed() || trial.is_adaptive() || is_of_later_scale(plan, trial)) continue;
+    if (!trial.is_analysed() || is_of_later_scale(plan, trial)) continue;
     ++position;
     if (is_same_pair(trial.stimuli)) {
       ++balance.same[trial.stimuli[0]];
@@ -195,6 +195,8 @@ const TableForm plans_form = plans_columns.form();
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Balance balance;
+  // What adaptive trials show depends on the answers.
+  if (!questionnaire_of(manifest).adaptive.empty()) return balance;
   for (const std::vector<std::string>& stimuli : trial_subjects(manifest).stimuli) {
     if (is_same_pair(stimuli))
       balance.same.emplace(stimuli[0], 0);
