@@ -63,8 +63,10 @@ std::string positive_answers_text(const TrialForm& form) {
 std::string level_rule_text(const Manifest& manifest) {
   const AdaptiveTrialSettings& adaptive = questionnaire_of(manifest).adaptive;
   if (adaptive.method == AdaptiveMethod::quest)
-    return "QUEST+ chooses the level whose answer is expected to tell the most about the location, "
-           "the width, the guess rate and the lapse rate of a logistic psychometric function";
+    return fmt::format(
+        "QUEST+ chooses the level whose answer is expected to tell the most about the "
+        "location, the width{} and the lapse rate of a logistic psychometric function",
+        questionnaire_of(manifest).trials == &two_interval_form ? "" : ", the guess rate");
   return fmt::format(
       "A staircase begins with the {} level; after {} it goes {} to a harder level, after {} {} to "
       "an easier one, and so comes to {} {}",

@@ -85,6 +85,7 @@ class AdaptiveCheck {
   }
 
   void check_proportion() {
+    check_target();
     if (!is_two_interval()) return;
     if (is_staircase() && staircase_proportion(adaptive_) <= guessed_share + 1e-9)
       list_.add(adaptive_path("down"),
@@ -94,6 +95,17 @@ class AdaptiveCheck {
                 "use a larger number, such as down: 2");
     if (adaptive_.proportion && *adaptive_.proportion <= guessed_share)
       list_.add(adaptive_path("proportion"), "half of all guesses are right", "use more than 0.5");
+  }
+
+  /// Guesses and lapses hide levels with very few or very many positive answers.
+  void check_target() {
+    constexpr double least = 0.15, most = 0.95;
+    const double target = staircase_proportion(adaptive_);
+    if (is_staircase() && (target < least || target > most))
+      list_.add(
+          adaptive_path("step"),
+          fmt::format("the staircase comes to {:.3g} % positive answers", 100.0 * target),
+          fmt::format("choose up, down and step for {:g} to {:g} %", 100.0 * least, 100.0 * most));
   }
 
   void check_count() {

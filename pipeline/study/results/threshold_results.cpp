@@ -38,7 +38,11 @@ class ThresholdEstimator {
     results.estimates.push_back(estimate(std::nullopt, results.tracks));
     for (const std::size_t person : people)
       results.estimates.push_back(estimate(person, results.tracks));
-    add_mean(results);
+    results.groups.push_back(group_of("fit", &ThresholdEstimate::threshold, results.estimates));
+    results.groups.push_back(
+        design_.procedure.method == AdaptiveMethod::quest
+            ? group_of("quest", &ThresholdEstimate::quest_mean, results.estimates)
+            : group_of("reversals", &ThresholdEstimate::reversal_mean, results.estimates));
     return results;
   }
 
@@ -134,16 +138,25 @@ class ThresholdEstimator {
     return result;
   }
 
-  static void add_mean(ThresholdResults& results) {
+  static GroupThreshold group_of(const char* estimate, double ThresholdEstimate::*member,
+                                 const std::vector<ThresholdEstimate>& estimates) {
+    GroupThreshold group{.estimate = estimate,
+                         .mean = undetermined,
+                         .deviation = undetermined,
+                         .ends = {undetermined, undetermined}};
     std::vector<double> thresholds;
-    for (const ThresholdEstimate& one : results.estimates)
-      if (one.person && std::isfinite(one.threshold)) thresholds.push_back(one.threshold);
-    results.people = static_cast<int>(thresholds.size());
-    if (results.people < 2) return;
+    for (const ThresholdEstimate& one : estimates) {
+      if (!one.person) continue;
+      ++group.all;
+      if (std::isfinite(one.*member)) thresholds.push_back(one.*member);
+    }
+    group.people = static_cast<int>(thresholds.size());
+    if (group.people < 2) return group;
     const TTest test = paired_t_test(thresholds);
-    results.mean = test.mean;
-    results.deviation = test.standard_error * std::sqrt(1.0 * results.people);
-    results.mean_ends = {test.low(0.95), test.high(0.95)};
+    group.mean = test.mean;
+    group.deviation = test.standard_error * std::sqrt(1.0 * group.people);
+    group.ends = {test.low(0.95), test.high(0.95)};
+    return group;
   }
 
   const AnswerSet& answer_set_;

@@ -52,16 +52,21 @@ struct TrackResult {
   int reversals = 0;  ///< all of the track
 };
 
+/// The mean over participants of one kind of estimate of their thresholds.
+struct GroupThreshold {
+  const char* estimate = "";  ///< fit, quest or reversals
+  int people = 0;             ///< those who have such an estimate
+  int all = 0;                ///< those who answered
+  double mean;                ///< NaN with fewer than two, like the following
+  double deviation;           ///< standard deviation over participants
+  Interval95 ends;            ///< 95 % interval of the mean (Student)
+};
+
 /// The thresholds of a questionnaire with adaptive trials.
 struct ThresholdResults {
   std::vector<ThresholdEstimate> estimates;  ///< of all answers, then of each participant
   std::vector<TrackResult> tracks;
-  /// Mean of the participants' thresholds, its standard deviation over participants, and its 95 %
-  /// interval (Student); NaN with fewer than two thresholds.
-  double mean = std::numeric_limits<double>::quiet_NaN();
-  double deviation = mean;
-  Interval95 mean_ends = {mean, mean};
-  int people = 0;  ///< number of participants whose answers determine a threshold
+  std::vector<GroupThreshold> groups;  ///< by the fits, then by the estimates of the procedure
 };
 
 /// Reversals at the beginning of a staircase that its estimate leaves out.

@@ -35,10 +35,7 @@ struct TrackPointRow {
   const TrackPoint& point;
 };
 
-struct MeanThresholdRow {
-  const AnswerSet& in;
-  const ThresholdResults& of;
-};
+using MeanThresholdRow = ResultRow<GroupThreshold>;
 
 constexpr SharedColumn factor_column = {"factor", "", "the factor of adaptive trials",
                                         [](auto& r) { return r.in.thresholds->factor; }};
@@ -128,17 +125,18 @@ constexpr auto point_columns = result_table<TrackPointRow>(
       [](auto& r) { return r.point.is_reversal; }}});
 
 constexpr auto mean_threshold_columns = result_table<MeanThresholdRow>(
-    "results/mean_threshold.csv", "factor of adaptive trials",
+    "results/mean_threshold.csv", "kind of estimate of the participants' thresholds",
     {factor_column,
-     {"people", "", "participants whose answers determine a threshold",
-      [](auto& r) { return r.of.people; }},
-     {"threshold", "level", "mean of the participants' thresholds",
-      [](auto& r) { return r.of.mean; }},
+     {"estimate", "", "fit (of psychometric functions), quest (posterior means) or reversals",
+      [](auto& r) { return r.of.estimate; }},
+     {"people", "", "participants whose answers determine it", [](auto& r) { return r.of.people; }},
+     {"all", "", "participants with answers", [](auto& r) { return r.of.all; }},
+     {"threshold", "level", "mean over participants", [](auto& r) { return r.of.mean; }},
      {"sd", "level", "standard deviation over participants (n − 1)",
       [](auto& r) { return r.of.deviation; }},
      {"low", "level", "lower end of the 95 % interval of the mean (Student)",
-      [](auto& r) { return r.of.mean_ends.low; }},
-     {"high", "level", "upper end", [](auto& r) { return r.of.mean_ends.high; }}});
+      [](auto& r) { return r.of.ends.low; }},
+     {"high", "level", "upper end", [](auto& r) { return r.of.ends.high; }}});
 
 }  // namespace
 
@@ -155,8 +153,7 @@ void add_thresholds(const Results& results, std::vector<WrittenTable>& tables) {
   for (const TrackResult& track : found.tracks)
     for (const TrackPoint& point : track.points) points.push_back({{answer_set, track}, point});
   add_table(point_columns, points, answer_set.simulated, tables);
-  if (found.people > 1)
-    add_table(mean_threshold_columns, {{answer_set, found}}, answer_set.simulated, tables);
+  add_results(mean_threshold_columns, found.groups, answer_set, tables);
 }
 
 }  // namespace mien::pipeline

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double threshold_margin = 18.0;
-constexpr double threshold_header = 46.0;
+constexpr double threshold_header = 58.0;
 constexpr double threshold_gap = 44.0;         ///< between panels, with the labels of axes
 constexpr double threshold_axis_width = 30.0;  ///< left of a panel
 constexpr double threshold_width = 236.0;

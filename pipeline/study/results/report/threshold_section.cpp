@@ -42,6 +42,22 @@ std::string track_method(const Results& results) {
          "proportion of the threshold.";
 }
 
+std::string group_text(const GroupThreshold& group) {
+  const std::string_view kind = group.estimate;
+  return fmt::format(
+      "Mean threshold of {} of {} participants{}: {}, standard deviation {}, 95 % interval of the "
+      "mean {} (Student; participants are independent).{}",
+      group.people, group.all,
+      kind == "fit"     ? ""
+      : kind == "quest" ? " by QUEST+"
+                        : " by reversals",
+      decimal(group.mean, 3), decimal(group.deviation, 3),
+      interval_text(group.ends.low, group.ends.high, 3),
+      group.people < group.all
+          ? " The answers of the others do not determine one: the mean is not of all participants."
+          : "");
+}
+
 std::string estimate_cell(const Results& results, const ThresholdEstimate& one) {
   if (!is_quest(results)) return decimal(one.reversal_mean, 3);
   return std::isnan(one.quest_mean) ? decimal(one.quest_mean)
@@ -75,12 +91,8 @@ std::string threshold_section_html(const Results& results, const std::string& fi
   const ThresholdResults& found = results.thresholds;
   if (found.estimates.empty()) return "";
   std::string html = html_paragraph(threshold_method(results)) + figures;
-  if (found.people > 1)
-    html += html_paragraph(fmt::format(
-        "Mean threshold of {} participants: {}, standard deviation {}, 95 % interval of the mean "
-        "{} (Student; participants are independent).",
-        found.people, decimal(found.mean, 3), decimal(found.deviation, 3),
-        interval_text(found.mean_ends.low, found.mean_ends.high, 3)));
+  for (const GroupThreshold& group : found.groups)
+    if (group.people > 1) html += html_paragraph(group_text(group));
   return html + html_paragraph(track_method(results)) + thresholds_html(results);
 }
 

@@ -43,12 +43,17 @@ TEST(ThresholdResults, FindTheStatedThresholdByQuest) {
   EXPECT_FALSE(found.estimates[0].person);
   EXPECT_EQ(found.estimates[0].trials(), 24 * 120);
   EXPECT_EQ(found.tracks.size(), 48u);
-  EXPECT_GT(found.people, 20);
+  const GroupThreshold& fits = found.groups.at(0);
+  EXPECT_EQ(fits.all, 24);
+  EXPECT_GT(fits.people, 18);
   // Standard error of the mean: √(0.3² + error of a fit²)/√24, about 0.07.
-  EXPECT_NEAR(found.mean, 1.4, 0.25);
-  EXPECT_LT(found.mean_ends.low, found.mean);
-  EXPECT_GT(found.mean_ends.high, found.mean);
-  EXPECT_NEAR(found.deviation, 0.3, 0.2);
+  EXPECT_NEAR(fits.mean, 1.4, 0.25);
+  EXPECT_LT(fits.ends.low, fits.mean);
+  EXPECT_GT(fits.ends.high, fits.mean);
+  EXPECT_NEAR(fits.deviation, 0.3, 0.2);
+  EXPECT_EQ(std::string(found.groups.at(1).estimate), "quest");
+  EXPECT_EQ(found.groups.at(1).people, 24) << "posterior distributions have a mean in any case";
+  EXPECT_NEAR(found.groups.at(1).mean, 1.4, 0.25);
   for (const ThresholdEstimate& one : found.estimates) {
     if (!one.person || std::isnan(one.threshold)) continue;
     // Fit and posterior are about the same answers.
@@ -88,7 +93,7 @@ TEST(ThresholdResults, FindTheStatedThresholdByStaircasesOfFallingLevels) {
   const SimulatedObservers observers = {
       .threshold = 34.0, .threshold_deviation = 2.0, .width = 4.0, .guess = 0.15, .lapse = 0.01};
   const ThresholdResults found = found_in(manifest, answers_of(manifest, observers, 12));
-  EXPECT_NEAR(found.mean, 34.0, 4.0);
+  EXPECT_NEAR(found.groups.at(0).mean, 34.0, 4.0);
   double reversals = 0.0, guesses = 0.0;
   int people = 0;
   for (const ThresholdEstimate& one : found.estimates) {
@@ -106,6 +111,7 @@ TEST(ThresholdResults, FindTheStatedThresholdByStaircasesOfFallingLevels) {
   EXPECT_EQ(people, 12);
   // Two down, one up comes to 70.7 %, which is the default proportion.
   EXPECT_NEAR(reversals / people, 34.0, 4.0);
+  EXPECT_NEAR(found.groups.at(1).mean, reversals / people, 1e-9);
   EXPECT_NEAR(guesses / people, 0.15, 0.08);
   EXPECT_EQ(found.tracks.size(), 24u);
   for (const TrackResult& track : found.tracks) {
@@ -188,8 +194,9 @@ TEST(ThresholdResults, SayWhyThereIsNoThreshold) {
   const ThresholdResults found = found_in(manifest, rows);
   EXPECT_EQ(threshold_remark(found.estimates.at(1)), "all answers are positive");
   EXPECT_TRUE(std::isnan(found.estimates.at(1).threshold));
-  EXPECT_LT(found.people, 2);
-  EXPECT_TRUE(std::isnan(found.mean));
+  EXPECT_LT(found.groups.at(0).people, 2);
+  EXPECT_EQ(found.groups.at(0).all, 2);
+  EXPECT_TRUE(std::isnan(found.groups.at(0).mean));
 }
 
 TEST(ThresholdResults, HaveTablesFiguresAndASectionThatSayThatTheyAreSimulated) {

@@ -5,7 +5,7 @@ import { Quest } from "./quest";
 import { staircaseAfter } from "./staircase";
 
 /** A trial of a track as it is shown at a level. */
-export function shownAt(trial: Trial, place: number, { levels }: Adaptive): Trial {
+function shownAt(trial: Trial, place: number, { levels }: Adaptive): Trial {
   return { ...trial, media: trial.by_level![place]!, level: levels[place]!, place };
 }
 
