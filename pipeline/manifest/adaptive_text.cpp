@@ -27,21 +27,21 @@ std::string first_level_text(const AdaptiveTrialSettings& adaptive) {
 std::string share_text(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
 std::string shown_pairs_text(const Manifest& manifest) {
-  const TrialForm* form = questionnaire_of(manifest).trials;
+  const Questionnaire& asked = questionnaire_of(manifest);
   const std::size_t count = adaptive_levels(manifest).references.size();
-  const std::string stimuli =
-      fmt::format("{} stimul{} without the signal", count, count == 1 ? "us" : "i");
-  if (form == &two_interval_form)
-    return fmt::format("Each trial shows a stimulus of the level and one of {}, in random order",
-                       stimuli);
-  if (form == &same_different_form)
+  const std::string without = count == 1 ? "the one without the signal"
+                                         : fmt::format("one of {} without the signal", count);
+  const std::string further = count_text(adaptive_noise_trials(asked), "further trial");
+  if (asked.trials == &two_interval_form)
+    return fmt::format("Each trial shows a stimulus of the level and {}, in random order", without);
+  if (asked.trials == &same_different_form)
     return fmt::format(
-        "Each trial of a track shows a stimulus of the level and one of {}, in random "
-        "order; {} show one of the latter twice",
-        stimuli, count_text(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"));
-  return fmt::format("{} at random places show one of {}",
-                     count_text(adaptive_noise_trials(questionnaire_of(manifest)), "further trial"),
-                     stimuli);
+        "Each trial of a track shows a stimulus of the level and {}, in random order; {} at random "
+        "places show one without the signal twice",
+        without, further);
+  return fmt::format("{} at random places show {}", further,
+                     count == 1 ? "the stimulus without the signal"
+                                : fmt::format("one of {} stimuli without the signal", count));
 }
 
 }  // namespace
@@ -65,7 +65,8 @@ std::string level_rule_text(const Manifest& manifest) {
   if (adaptive.method == AdaptiveMethod::quest)
     return fmt::format(
         "QUEST+ chooses the level whose answer is expected to tell the most about the "
-        "location, the width{} and the lapse rate of a logistic psychometric function",
+        "location, the width{} and the lapse rate of a logistic psychometric function, with "
+        "equal probabilities of their values before the first answer",
         questionnaire_of(manifest).trials == &two_interval_form ? "" : ", the guess rate");
   return fmt::format(
       "A staircase begins with the {} level; after {} it goes {} to a harder level, after {} {} to "
