@@ -171,5 +171,46 @@ TEST_F(AdaptivePage, IsServedWithLevelsThatTheServerPermits) {
   EXPECT_EQ(tracks, (std::map<std::string, int>{{"1", 5}, {"2", 5}}));
 }
 
+/// The shipped study, from simulated observers to the report, without films.
+TEST(AdaptiveStudy, FindsTheThresholdOfSimulatedObservers) {
+  const Scratch here;
+  const std::string answers = (here.path() / "answers.csv").string();
+  const fs::path report = here.path() / "report";
+  must_run(mien_with({"study", "simulate", "sadness-threshold", "--threshold", "0.3",
+                      "--threshold-sd", "0.05", "--width", "0.05", "-o", answers}));
+  must_run(mien_with({"study", "report", answers, "sadness-threshold", "-o", report.string()}));
+  const auto means = rows_in(text_of(report / "results/mean_threshold.csv"));
+  ASSERT_EQ(means.size(), 2u);
+  for (const auto& row : means) {
+    // 20 observers, of whom each fit and posterior has an error of about 0.04.
+    EXPECT_NEAR(std::stod(row.at("threshold")), 0.3, 0.05) << row.at("estimate");
+    EXPECT_LT(std::stod(row.at("low")), std::stod(row.at("high")));
+    EXPECT_EQ(row.at("simulated"), "1");
+  }
+  const std::string page = text_of(report / "report.html");
+  EXPECT_NE(page.find("QUEST+, Watson 2017"), std::string::npos);
+  EXPECT_TRUE(fs::exists(report / "figures/proportions-by-level.svg"));
+  EXPECT_TRUE(fs::exists(report / "figures/tracks.svg"));
+}
+
+TEST(AdaptiveStudy, RefusesWhatItCannotDo) {
+  const auto errors_of = [](const std::vector<std::string>& words) {
+    const Ended ended = run_program(mien_with(words), 60.0);
+    EXPECT_EQ(ended.code, 2) << ended.errors;
+    return ended.errors;
+  };
+  const Scratch here;
+  EXPECT_NE(errors_of({"study", "design", "sadness-threshold", "--power"})
+                .find("the power of thresholds is not estimated"),
+            std::string::npos);
+  const fs::path truth = here.write("truth.csv", "stimulus,scale,value\n");
+  EXPECT_NE(errors_of({"study", "simulate", "sadness-threshold", "--truth", truth.string()})
+                .find("psychometric function"),
+            std::string::npos);
+  EXPECT_NE(errors_of({"study", "simulate", "grid-study", "--threshold", "0.3"})
+                .find("apply to adaptive trials only"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mien::test

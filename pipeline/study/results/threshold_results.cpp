@@ -69,17 +69,23 @@ class ThresholdEstimator {
     return all;
   }
 
+  /// Of a step, which lies anywhere between two levels, the middle.
+  double threshold_in(const PsychometricFit& fit) const {
+    if (fit.problem == FitProblem::step) return 0.5 * (fit.step.low + fit.step.high);
+    return fit.problem == FitProblem::none ? level_at(fit.function, design_.proportion)
+                                           : undetermined;
+  }
+
   ThresholdEstimate estimate(std::optional<std::size_t> person,
                              const std::vector<TrackResult>& tracks) const {
     ThresholdEstimate estimate{.person = person, .counts = counts_of(person)};
     std::vector<LevelCount> by_ease = estimate.counts;
     for (LevelCount& count : by_ease) count.level = ease_of(count.level);
     estimate.fit = psychometric_fit(by_ease, model_);
-    const bool is_fitted = estimate.fit.problem == FitProblem::none;
-    const double at =
-        is_fitted ? level_at(estimate.fit.function, design_.proportion) : undetermined;
+    const double at = threshold_in(estimate.fit);
     estimate.threshold = ease_of(at);
-    estimate.slope = std::isnan(at) ? undetermined : slope_at(estimate.fit.function, at);
+    const bool has_slope = estimate.fit.problem == FitProblem::none && std::isfinite(at);
+    estimate.slope = has_slope ? slope_at(estimate.fit.function, at) : undetermined;
     const PsychometricBootstrap bootstrap =
         psychometric_bootstrap(estimate.fit, by_ease, model_, {.proportion = design_.proportion},
                                threshold_seed + (person ? *person + 1 : 0));
@@ -200,7 +206,7 @@ std::string threshold_remark(const ThresholdEstimate& estimate) {
     case FitProblem::not_rising:
       return "answers do not depend on the level";
     case FitProblem::step:
-      return "only a step fits, between two levels";
+      return "a step between two levels: the threshold is their middle";
   }
   return "";
 }

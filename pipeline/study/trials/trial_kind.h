@@ -49,7 +49,7 @@ struct Trial {
   /// One id, or several from left to right; none in an attention check, and in plans none where the
   /// level is not known yet (shown_at).
   std::vector<std::string> stimuli;
-  std::string reference;  ///< reference stimulus shown in addition; empty if there is none
+  std::string reference;         ///< reference stimulus shown in addition; empty if there is none
   std::vector<TrialItem> items;  ///< in page order
   bool practice = false;
   bool warm_up = false;

@@ -12,8 +12,8 @@
 namespace mien::pipeline {
 namespace {
 
-using test::adaptive_members;
-using test::dose_study;
+using mien::test::adaptive_members;
+using mien::test::dose_study;
 using Names = std::vector<std::string>;
 
 Names texts_of(const AdaptiveLevels& levels) {

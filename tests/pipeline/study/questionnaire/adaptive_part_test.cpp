@@ -15,8 +15,8 @@
 namespace mien::pipeline {
 namespace {
 
-using test::adaptive_members;
-using test::dose_study;
+using mien::test::adaptive_members;
+using mien::test::dose_study;
 using Names = std::vector<std::string>;
 
 std::vector<Trial> part_of(const std::string& form, const std::string& more,

@@ -19,8 +19,8 @@
 namespace mien::pipeline {
 namespace {
 
-using test::adaptive_members;
-using test::dose_study;
+using mien::test::adaptive_members;
+using mien::test::dose_study;
 
 std::vector<AnswerRow> answers_of(const Manifest& manifest, const SimulatedObservers& observers,
                                   int participants) {
@@ -221,7 +221,7 @@ TEST(ThresholdResults, HaveTablesFiguresAndASectionThatSayThatTheyAreSimulated) 
   for (const ResultFigure& figure : result_figures(results)) {
     if (figure.section != "thresholds") continue;
     drawn.push_back(figure.name);
-    const auto texts = test::texts_of(figure.plot);
+    const auto texts = mien::test::texts_of(figure.plot);
     EXPECT_TRUE(std::ranges::any_of(
         texts, [](const DrawnText& one) { return one.text == simulated_ratings_mark; }));
   }

@@ -53,7 +53,7 @@ std::string cases_text() {
           "start: middle, reversals: 9",
           "factor: dots, easier: falling, method: staircase, trials: 35, start: hardest, step: "
           "2"}) {
-      const Manifest manifest = test::dose_study(test::adaptive_members(form, more));
+      const Manifest manifest = mien::test::dose_study(mien::test::adaptive_members(form, more));
       const TrackProcedure procedure = track_procedure(manifest);
       const TrackLevels levels(procedure);
       const double range = procedure.ease.back() - procedure.ease.front();

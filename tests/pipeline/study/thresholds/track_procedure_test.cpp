@@ -12,8 +12,8 @@
 namespace mien::pipeline {
 namespace {
 
-using test::adaptive_members;
-using test::dose_study;
+using mien::test::adaptive_members;
+using mien::test::dose_study;
 
 TrackProcedure procedure_for(const std::string& form, const std::string& more) {
   return track_procedure(dose_study(adaptive_members(form, more)));

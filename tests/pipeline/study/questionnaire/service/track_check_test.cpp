@@ -30,7 +30,7 @@ MediaFiles media_for(const Manifest& manifest) {
 }
 
 ServedStudy adaptive_study(const std::string& form, const std::string& more) {
-  const Manifest manifest = test::dose_study(test::adaptive_members(form, more));
+  const Manifest manifest = mien::test::dose_study(mien::test::adaptive_members(form, more));
   ServedStudy study{.plans = plan_sessions(manifest)};
   study.experiment = experiment_json(manifest, study.plans, media_for(manifest));
   study.facts = questionnaire_facts(study.experiment);
@@ -217,7 +217,7 @@ TEST(TracksOfRecords, BecomeRowsWithLevelAndTrack) {
 
 TEST(ServedTracks, RefuseOtherLevelsAndTellTheAnswersAfterAReload) {
   const TrackRecords page("yes_no", "factor: dose, trials: 5, noise: 0.05");
-  test::TemporaryFolder folder;
+  mien::test::TemporaryFolder folder;
   SessionStore store(folder.path() / "answers.db");
   QuestionnaireService service(page.study(), store);
   const std::string base = "/s/" + service.sessions().state(0).session.link + "/";
