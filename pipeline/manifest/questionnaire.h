@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/adaptive_trials.h"
 #include "pipeline/manifest/continuous.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/grid.h"
@@ -235,6 +236,7 @@ struct Questionnaire {
   GridSettings grid;                     ///< only for grid trials
   ContinuousSettings continuous;         ///< only for continuous trials
   StimulusChoice signal;  ///< of detection (yes_no, two_interval): the stimuli with the signal
+  AdaptiveTrialSettings adaptive;  ///< of detection and same–different trials
   AnswerSettings answer;
   TrialOrder order;
   std::vector<std::string> no_repeats;  ///< factors in which successive trials must differ
@@ -279,6 +281,7 @@ void fields_of(auto&& field, MaybeConst<Questionnaire> auto& questionnaire) {
   field("grid", questionnaire.grid, concerns::nothing);
   field("continuous", questionnaire.continuous, concerns::nothing);
   field.by("signal", questionnaire.signal, concerns::nothing, StimulusChoiceForm());
+  field("adaptive", questionnaire.adaptive, concerns::nothing);
   field("answer", questionnaire.answer, concerns::nothing);
   field.by("order", questionnaire.order, concerns::nothing, TrialOrderForm());
   field("no_repeats", questionnaire.no_repeats, concerns::nothing);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 
+#include "pipeline/manifest/adaptive_levels.h"
 #include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/scales/scales.h"
@@ -165,6 +166,8 @@ std::size_t questionnaire_subject_count(const Manifest& manifest) {
 }
 
 int analysed_trials(const Manifest& manifest) {
+  if (const Questionnaire& asked = questionnaire_of(manifest); !asked.adaptive.empty())
+    return adaptive_session_trials(asked);
   const int own = questionnaire_of(manifest).per_participant;
   const int all = static_cast<int>(questionnaire_subject_count(manifest));
   return own == 0 ? all : std::min(own, all);

@@ -64,7 +64,7 @@ std::size_t stimuli_per_trial(const Questionnaire& asked);
 std::size_t questionnaire_subject_count(const Manifest& manifest);
 
 /// Returns the number of trials of a session whose answers are analysed, if it is completed; of
-/// continuous trials, those on one scale.
+/// continuous trials, those on one scale; of adaptive trials, the most that there can be.
 int analysed_trials(const Manifest& manifest);
 
 /// Returns the number of trials of the main part, warm-up and repeated ones among them; of

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "pipeline/manifest/adaptive_levels.h"
 #include "pipeline/manifest/factors.h"
 #include "pipeline/manifest/questionnaire_content.h"
 
@@ -62,10 +63,15 @@ std::vector<std::string> signal_stimuli(const Manifest& manifest) {
   for (const auto& pair : asked.pairs) candidates.insert(pair.begin(), pair.end());
   candidates.insert(asked.practice.begin(), asked.practice.end());
   std::vector<std::string> ids;
-  if (asked.signal.ids.empty() && asked.signal.levels.empty()) return ids;
+  const bool is_named = !asked.signal.ids.empty() || !asked.signal.levels.empty();
+  if (!is_named && asked.adaptive.empty()) return ids;
+  const std::vector<std::string> above = is_named ? ids : stimuli_above_hardest_level(manifest);
+  const auto has_signal = [&](const Stimulus& stimulus) {
+    return is_named ? is_chosen(stimulus, asked.signal)
+                    : std::ranges::find(above, stimulus.id) != above.end();
+  };
   for (const Stimulus& stimulus : manifest.stimuli)
-    if (candidates.contains(stimulus.id) && is_chosen(stimulus, asked.signal))
-      ids.push_back(stimulus.id);
+    if (candidates.contains(stimulus.id) && has_signal(stimulus)) ids.push_back(stimulus.id);
   return ids;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pipeline/manifest/adaptive_text.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
@@ -84,6 +85,8 @@ std::vector<std::string> reported_analyses(const Manifest& manifest, ReportTense
   const TrialForm& form = *questionnaire_of(manifest).trials;
   std::vector<std::string> sentences;
   if (form.is_continuous) add_traces(manifest, is_past ? "was" : "is", sentences);
+  if (!questionnaire_of(manifest).adaptive.empty())
+    sentences = threshold_sentences(manifest, is_past ? "was" : "is");
   const bool has_ratings = !form.is_detection && !questionnaire_scales(manifest).scales.empty() &&
                            analysed_answers(manifest) == AnalysedAnswers::ratings;
   if (has_ratings)

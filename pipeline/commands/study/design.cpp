@@ -217,6 +217,10 @@ int design(const DesignCommand& command, const Console& console) {
     return design_matching(manifest, {command.participants, command.plans}, console);
   }
   if (command.participants > 0) manifest.questionnaire->participants = command.participants;
+  if (command.power && !manifest.questionnaire->adaptive.empty())
+    throw Error("the power of thresholds is not estimated",
+                "leave --power out, and try sizes by mien study simulate --participants and mien "
+                "study report");
   const VideoSeconds seconds = video_seconds(manifest);
   check_continuous_films(manifest, seconds);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, seconds);

@@ -68,7 +68,7 @@ void remark_on_archive(const Manifest& manifest, bool has_power, const Console& 
   if (has_completion_codes(manifest))
     console.err << "note: the archive contains the manifest with its completion codes and "
                    "redirects; do not publish it before data collection is over\n";
-  if (!has_power)
+  if (!has_power && questionnaire_of(manifest).adaptive.empty())
     console.err << "note: the archive states no power analysis; --power, with --planned-tests for "
                    "the tests of the analysis plan, adds one\n";
 }

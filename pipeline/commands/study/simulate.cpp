@@ -102,6 +102,19 @@ int simulate_examples(const SimulateCommand& command, const Console& console) {
                      fmt::format("{} simulated raters", command.raters), console);
 }
 
+/// What is stated of the psychometric functions applies to adaptive trials only, and these need no
+/// other truth.
+void check_observer_options(const SimulateCommand& command, const Manifest& manifest) {
+  const bool is_adaptive = !questionnaire_of(manifest).adaptive.empty();
+  const SimulatedObservers& stated = command.people.observers;
+  if (!is_adaptive && (stated.threshold || stated.threshold_deviation || stated.width))
+    throw Error("--threshold, --threshold-sd and --width apply to adaptive trials only",
+                "omit them, or add adaptive: {factor: …} to the questionnaire");
+  if (is_adaptive && !command.truth.empty())
+    throw Error("adaptive trials are simulated with a psychometric function, not with --truth",
+                "state --threshold and --width");
+}
+
 /// The stated truth; not required if there are only emotions and choices in words.
 AssumedTruth truth_of(const SimulateCommand& command, const Manifest& manifest) {
   if (!command.truth.empty()) return read_truth(manifest, command.truth);
@@ -142,6 +155,7 @@ int simulate_questionnaire(const SimulateCommand& command, const Console& consol
   const Manifest manifest = participants_manifest(command.manifest, console);
   if (manifest.matching) return simulate_matched(command, manifest, console);
   if (manifest.adaptive) return simulate_chains(command, manifest, console);
+  check_observer_options(command, manifest);
   const std::vector<SessionPlan> plans = plan_sessions(manifest, {}, command.participants);
   const AssumedTruth truth = truth_of(command, manifest);
   const std::vector<AnswerRow> rows = simulated_sessions(
@@ -184,6 +198,26 @@ std::vector<CommandOption> simulation_options(SimulateCommand& options) {
           option("--reaction-lag", &options.people.reaction_lag_s,
                  "In continuous trials: seconds between what is seen and its rating")
               .between(0.0, 60.0)
+              .with_default(),
+          option("--threshold", &options.people.observers.threshold,
+                 "In adaptive trials: mean threshold of the participants, as a level of the factor")
+              .with_default("the middle of the levels"),
+          option("--threshold-sd", &options.people.observers.threshold_deviation,
+                 "Standard deviation of their thresholds")
+              .between(0.0, 1e6)
+              .with_default("a tenth of the range of the levels"),
+          option("--width", &options.people.observers.width,
+                 "Width of their psychometric functions: the reciprocal of the logistic's rate")
+              .positive()
+              .with_default("a tenth of the range of the levels"),
+          option("--guess", &options.people.observers.guess,
+                 "In adaptive yes_no and same_different trials: rate of positive answers without "
+                 "the signal")
+              .between(0.0, 0.9)
+              .with_default(),
+          option("--lapse", &options.people.observers.lapse,
+                 "In adaptive trials: rate of negative answers however strong the signal is")
+              .between(0.0, 0.5)
               .with_default(),
           option("--attentive", &options.people.attention_pass_rate,
                  "Proportion of attention checks passed")

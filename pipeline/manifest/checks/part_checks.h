@@ -84,6 +84,10 @@ std::vector<Fault> check_grid(const Manifest& manifest);
 /// a lag of traces that there are not.
 std::vector<Fault> check_continuous(const Manifest& manifest);
 
+/// Returns faults of adaptive trials: forms and keys that do not suit them, a factor that is
+/// unknown or not numeric, too few levels, and settings of the other method.
+std::vector<Fault> check_adaptive_trials(const Manifest& manifest);
+
 /// Returns a single fault for all those stimuli that a questionnaire shows as videos although they
 /// are not written in any format that browsers play; none if there are no such stimuli.
 std::vector<Fault> check_shown_videos(const Manifest& manifest);

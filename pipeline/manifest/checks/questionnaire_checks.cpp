@@ -323,6 +323,7 @@ std::vector<Fault> check_questionnaire(const Manifest& manifest) {
   append(faults, check_trial_form(manifest));
   append(faults, check_grid(manifest));
   append(faults, check_continuous(manifest));
+  append(faults, check_adaptive_trials(manifest));
   append(faults, check_shown_videos(manifest));
   append(faults, check_heard_sounds(manifest));
   append(faults, check_recruitment(manifest));

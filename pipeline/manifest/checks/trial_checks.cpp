@@ -140,6 +140,7 @@ class TrialFormCheck {
     if (asked_.question.empty())
       list_.add("questionnaire", fmt::format("{} trials have no question of their own", form_.name),
                 "add question: Is this walk sad?");
+    if (!was_given("signal") && !asked_.adaptive.empty()) return;  // adaptive_levels.h
     if (!was_given("signal"))
       return list_.add(
           "questionnaire",

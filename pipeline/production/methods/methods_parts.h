@@ -87,6 +87,12 @@ void describe_participants(MethodsText& out);
 /// The trials of the questionnaire: task, presentation and order.
 void describe_trials(MethodsText& out);
 
+/// What participants are asked in an adaptive trial, as a sentence without its full stop.
+std::string adaptive_task_text(const Manifest& manifest);
+
+/// The levels of adaptive trials, the rule by which they are chosen, the tracks and their ends.
+void describe_levels(MethodsText& out);
+
 /// Level of significance, correction, and exclusion by attention checks.
 void describe_tests(MethodsText& out);
 

@@ -170,6 +170,7 @@ std::string task_text(const Manifest& manifest) {
         pair_text(manifest), scales_text(scales),
         asked.preference.ties ? "; they could also answer that there was no difference" : "",
         asked.preference.strength ? "; a preference was slight or strong" : "");
+  if (!asked.adaptive.empty()) return adaptive_task_text(manifest);
   if (form == &same_different_form)
     return fmt::format(
         "In each trial, participants saw {} and said whether they were the same or different; in "
@@ -211,6 +212,7 @@ std::string task_text(const Manifest& manifest) {
 void describe_task(MethodsText& out) {
   const Questionnaire& asked = *out.manifest.questionnaire;
   out.say(task_text(out.manifest));
+  if (!asked.adaptive.empty()) describe_levels(out);
   if (!asked.question.empty()) out.say("The question was " + quoted(asked.question.text));
   if (asked.trials->is_continuous) describe_traces(out);
   if (asked.trials->is_on_scale && !asked.trials->is_on_slider &&
@@ -315,8 +317,23 @@ void describe_further_trials(MethodsText& out) {
       fmt::format("{} {}, which {} not analysed with the others", opening, listed(further), were));
 }
 
+/// Attention checks, if there are any.
+void describe_checks(MethodsText& out) {
+  const Questionnaire& asked = *out.manifest.questionnaire;
+  if (asked.attention_every == 0) return;
+  const int checks = attention_checks(out.manifest);
+  out.say(fmt::format("About every {}, an attention check asked for a certain answer{}",
+                      asked.attention_every == 1 ? std::string("trial")
+                                                 : fmt::format("{} trials", asked.attention_every),
+                      checks > 0 ? fmt::format(" (about {} in a session)", checks) : ""));
+}
+
 void describe_order(MethodsText& out) {
   const Questionnaire& asked = *out.manifest.questionnaire;
+  if (!asked.adaptive.empty()) {
+    describe_further_trials(out);
+    return describe_checks(out);
+  }
   const std::size_t all = questionnaire_subject_count(out.manifest);
   const std::size_t own = asked.per_participant > 0
                               ? std::min(all, static_cast<std::size_t>(asked.per_participant))
@@ -340,14 +357,7 @@ void describe_order(MethodsText& out) {
         "The order of the scales rotated between participants: over as many participants as there "
         "are scales, each scale was once in each place");
   describe_further_trials(out);
-  if (asked.attention_every > 0) {
-    const int checks = attention_checks(out.manifest);
-    out.say(fmt::format("About every {}, an attention check asked for a certain answer{}",
-                        asked.attention_every == 1
-                            ? std::string("trial")
-                            : fmt::format("{} trials", asked.attention_every),
-                        checks > 0 ? fmt::format(" (about {} in a session)", checks) : ""));
-  }
+  describe_checks(out);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/adaptive_text.h"
 #include "pipeline/manifest/factorial_plan.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/quality_rules.h"
@@ -54,7 +55,7 @@ std::string analysis_plan_text(const Manifest& manifest) {
   const AnalysisPlan& analysis = questionnaire_of(manifest).analysis;
   std::string plan = analysis.plan.text.empty() ? no_analysis_plan : analysis.plan.text;
   for (const std::string& part :
-       {tests_plan(questionnaire_of(manifest)),
+       {tests_plan(questionnaire_of(manifest)), adaptive_plan_text(manifest),
         factorial_plan_text(analysis.factorial, analysed_answers(manifest)),
         quality_plan(questionnaire_of(manifest))})
     if (!part.empty()) plan += (plan.ends_with('\n') ? "\n" : "\n\n") + part;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/adaptive_text.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/trial_subjects.h"
@@ -180,7 +181,12 @@ constexpr auto plans_columns = table_of<PlannedTrial>(
       [](auto& r) { return r.trial.is_check; }},
      {"expected", "", "raw answer that passes the attention check; otherwise empty",
       [](auto& r) { return r.trial.expected; }},
-     {"seed", "", "seed of the participant's order", [](auto& r) { return r.plan.seed; }}});
+     {"seed", "", "seed of the participant's order", [](auto& r) { return r.plan.seed; }},
+     {"track", "",
+      "track of an adaptive trial, whose level and stimulus depend on the answers; otherwise empty",
+      [](auto& r) {
+        return r.trial.is_adaptive() ? std::optional(r.trial.adaptive.track) : std::nullopt;
+      }}});
 
 }  // namespace
 
@@ -189,6 +195,8 @@ const TableForm plans_form = plans_columns.form();
 
 Balance balance_of(const Manifest& manifest, const std::vector<SessionPlan>& plans) {
   Balance balance;
+  // What adaptive trials show depends on the answers.
+  if (!questionnaire_of(manifest).adaptive.empty()) return balance;
   for (const std::vector<std::string>& stimuli : trial_subjects(manifest).stimuli) {
     if (is_same_pair(stimuli))
       balance.same.emplace(stimuli[0], 0);
@@ -245,6 +253,7 @@ CountRange same_range(const Balance& balance) {
 
 std::vector<std::string> balance_sentences(const Manifest& manifest, const Balance& balance,
                                            int participants) {
+  if (!questionnaire_of(manifest).adaptive.empty()) return adaptive_sentences(manifest);
   const TrialForm& form = *questionnaire_of(manifest).trials;
   const bool is_in_turn =
       pair_presentation(questionnaire_of(manifest)) == PairPresentation::in_turn;

@@ -18,6 +18,12 @@ std::string dummy_assumptions(const Manifest& manifest) {
   const TrialForm& form = *asked.trials;
   const SimulatedParticipants people = dummy_people();
   std::string text = "Its answers are simulated without any effect of the stimuli: ";
+  if (!asked.adaptive.empty()) {
+    return "Its answers are simulated: the thresholds of participants are normally distributed "
+           "about the middle of the levels, with a tenth of their range as the standard deviation "
+           "and as the width of the logistic psychometric functions. The report shows its form "
+           "only, and says nothing about power.\n";
+  }
   if (form.is_detection) {
     text += "their true sensitivity is 0 (d' = 0).";
   } else {

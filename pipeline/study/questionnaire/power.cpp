@@ -147,9 +147,10 @@ void check(const Manifest& manifest, const PowerOptions& options) {
   const TrialForm& form = *questionnaire_of(manifest).trials;
   if ((form.stimuli > 1 && !form.is_grid) || form.is_detection)
     throw Error(fmt::format("power is estimated for ratings only, but this questionnaire {}",
-                            form.is_detection ? "measures d′"
-                            : form.is_set     ? "compares sets"
-                                              : "compares pairs"),
+                            !questionnaire_of(manifest).adaptive.empty() ? "measures thresholds"
+                            : form.is_detection                          ? "measures d′"
+                            : form.is_set                                ? "compares sets"
+                                                                         : "compares pairs"),
                 "leave --power out");
   const RatedStimuli rated = rated_stimuli(manifest, trial_subjects(manifest), 1);
   if (rated.shares[0].size() < 2)

@@ -30,6 +30,18 @@ bool is_wide(std::string_view word) {
                              [](char byte) { return static_cast<unsigned char>(byte) >= 0xE3U; });
 }
 
+/// The duration of the films of a trial whose level is not known yet, if all levels are equally
+/// probable.
+double adaptive_seconds(const AdaptiveTrial& adaptive, bool is_in_turn, const auto& video) {
+  double sum = 0.0;
+  for (const std::vector<std::string>& shown : adaptive.by_level) {
+    const double first = video(shown.front()), last = shown.size() > 1 ? video(shown.back()) : 0.0;
+    sum += is_in_turn && shown.size() > 1 ? first + last + seconds_between_pair
+                                          : std::max(first, last);
+  }
+  return sum / static_cast<double>(adaptive.by_level.size());
+}
+
 }  // namespace
 
 double word_count(std::string_view text) {
@@ -74,6 +86,9 @@ double session_seconds(const Manifest& manifest, const SessionPlan& plan,
     for (const std::string& stimulus : trial.stimuli) longest = std::max(longest, video(stimulus));
     if (pair_presentation(questionnaire) == PairPresentation::in_turn && trial.stimuli.size() == 2)
       longest = video(trial.stimuli[0]) + video(trial.stimuli[1]) + seconds_between_pair;
+    if (trial.is_adaptive())
+      longest = adaptive_seconds(
+          trial.adaptive, pair_presentation(questionnaire) == PairPresentation::in_turn, video);
     if (trial.kind->form != nullptr && trial.kind->form->is_grid) longest = all_videos(trial);
     const bool is_answered_meanwhile = trial.kind->form != nullptr &&
                                        trial.kind->form->is_continuous &&

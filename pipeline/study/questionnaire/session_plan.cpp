@@ -9,6 +9,7 @@
 #include "pipeline/manifest/questionnaire_grid.h"
 #include "pipeline/manifest/ratings/answers/best_worst_item.h"
 #include "pipeline/manifest/ratings/answers/grid_item.h"
+#include "pipeline/study/questionnaire/adaptive_part.h"
 #include "pipeline/study/questionnaire/main_part.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/questionnaire/session_duration.h"
@@ -46,6 +47,9 @@ class Planner {
     lay_items();
     if (form_.is_continuous) {
       lay_scales_in_turn(share);
+    } else if (!questionnaire_.adaptive.empty()) {
+      lay_practice();
+      lay_adaptive();
     } else {
       lay_practice();
       lay_main(main_part(manifest_, subjects_, share, index_));
@@ -164,6 +168,16 @@ class Planner {
     }
   }
 
+  void lay_adaptive() {
+    std::vector<Trial> trials = adaptive_part(manifest_, plan_.seed);
+    const std::vector<std::size_t> checks = attention_places(trials.size());
+    for (std::size_t place = 0; place < trials.size(); ++place) {
+      trials[place].items = items_;
+      plan_.trials.push_back(std::move(trials[place]));
+      if (std::ranges::find(checks, place) != checks.end()) lay_attention(place);
+    }
+  }
+
   /// Which of a pair is at the left: alternates between showings, starting at random. A set is
   /// rotated, so that in as many showings as it has stimuli each is once in each place, in a random
   /// cyclic order.
@@ -243,8 +257,13 @@ std::vector<SessionPlan> plan_sessions(const Manifest& manifest, const VideoSeco
   if (count == 0) count = questionnaire_of(manifest).participants;
   Planner planner(manifest);
   std::vector<SessionPlan> plans;
-  for (const auto& share :
-       participant_subjects(manifest, planner.subjects(), static_cast<std::size_t>(count))) {
+  const auto sessions = static_cast<std::size_t>(count);
+  // In adaptive trials everybody may see all stimuli.
+  const std::vector<std::vector<std::size_t>> shares =
+      questionnaire_of(manifest).adaptive.empty()
+          ? participant_subjects(manifest, planner.subjects(), sessions)
+          : std::vector<std::vector<std::size_t>>(sessions);
+  for (const auto& share : shares) {
     plans.push_back(planner.next(share));
     plans.back().expected_seconds = session_seconds(manifest, plans.back(), seconds);
   }

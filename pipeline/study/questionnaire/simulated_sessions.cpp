@@ -1,6 +1,8 @@
 #include "pipeline/study/questionnaire/simulated_sessions.h"
 
 #include <cmath>
+#include <map>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "pipeline/manifest/ratings/answers/grid_item.h"
 #include "pipeline/manifest/ratings/answers/trace.h"
 #include "pipeline/manifest/study_texts.h"
+#include "pipeline/study/questionnaire/adaptive_part.h"
 #include "pipeline/study/questionnaire/balance.h"
 #include "pipeline/study/questionnaire/orders.h"
 #include "pipeline/study/trials/trial_kind.h"
@@ -45,8 +48,50 @@ class SimulatedSession {
       for (const TrialItem& item : trial.items) rows.push_back(row_of(trial, item));
   }
 
+  /// The rows of a session with adaptive trials, without those of tracks that have ended.
+  void add_adaptive_rows(const TrackProcedure& procedure, const TrackLevels& levels,
+                         std::vector<AnswerRow>& rows) const {
+    const PsychometricFunction observer =
+        simulated_observer(manifest_, procedure, people_.observers, plan_.seed);
+    std::map<int, std::vector<TrackAnswer>> answers;
+    for (const Trial& trial : plan_.trials) {
+      if (trial.adaptive.positive.empty()) {
+        for (const TrialItem& item : trial.items) rows.push_back(row_of(trial, item));
+        continue;
+      }
+      const double chance = uniform(plan_.seed, fmt::format("observer/{}", trial.number));
+      if (!trial.is_adaptive()) {
+        rows.push_back(adaptive_row(trial, chance < observer.guess));
+        continue;
+      }
+      std::vector<TrackAnswer>& own = answers[trial.adaptive.track];
+      const auto place = levels.next(own);
+      if (!place) continue;
+      const double positive = answer_probability(observer, procedure.ease[*place]).positive;
+      own.push_back({*place, chance < positive});
+      rows.push_back(adaptive_row(shown_at(trial, *place, procedure.levels), chance < positive));
+    }
+  }
+
  private:
   AnswerRow row_of(const Trial& trial, const TrialItem& item) const {
+    AnswerRow row = empty_row(trial, item);
+    answer(trial, item, row);
+    return row;
+  }
+
+  AnswerRow adaptive_row(const Trial& trial, bool is_positive) const {
+    const TrialItem& item = trial.items.front();
+    AnswerRow row = empty_row(trial, item);
+    const Question question = {trial, item, nullptr, plan_.choices};
+    row.value_raw = trial.adaptive.positive;
+    for (const std::string& other : trial.kind->attention_answers(question))
+      if (!is_positive && other != trial.adaptive.positive) row.value_raw = other;
+    trial.kind->complete(question, row);
+    return row;
+  }
+
+  AnswerRow empty_row(const Trial& trial, const TrialItem& item) const {
     AnswerRow row;
     row.participant = plan_.participant;
     row.session = "simulated";
@@ -56,7 +101,6 @@ class SimulatedSession {
                            std::exp(0.4 * normal(plan_.seed, name("time", trial, item))));
     row.seed = plan_.seed;
     row.simulated = true;
-    answer(trial, item, row);
     return row;
   }
 
@@ -201,8 +245,17 @@ std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
   // nothing for earlier ones.
   const std::string design = design_hash(manifest, plan_sessions(manifest));
   std::vector<AnswerRow> rows;
-  for (const SessionPlan& plan : plans)
-    SimulatedSession(manifest, plan, truth, people, courses, scales).add_rows(rows);
+  std::optional<TrackProcedure> procedure;
+  std::optional<TrackLevels> levels;
+  if (!questionnaire_of(manifest).adaptive.empty())
+    levels.emplace(procedure.emplace(track_procedure(manifest)));
+  for (const SessionPlan& plan : plans) {
+    const SimulatedSession session(manifest, plan, truth, people, courses, scales);
+    if (levels)
+      session.add_adaptive_rows(*procedure, *levels, rows);
+    else
+      session.add_rows(rows);
+  }
   for (AnswerRow& row : rows) row.design = design;
   return rows;
 }
@@ -236,7 +289,11 @@ std::string design_hash(const Manifest& manifest, const std::vector<SessionPlan>
   for (const std::string& language : questionnaire.language.offered)
     if (questionnaire.language.by_browser) all += words_of_scales(manifest, language);
   for (const SessionPlan& plan : plans) all += fmt::format("{}\n", fmt::join(plan.choices, "|"));
+  // Plans had no column `track` at first, the last one now. It is empty without adaptive trials.
   std::string plans_text = plans_csv(plans);
+  for (std::size_t end = plans_text.find(",track\n"); end != std::string::npos;
+       end = plans_text.find(",\n", end))
+    plans_text.erase(end, plans_text.find('\n', end) - end);
   constexpr std::string_view check_column = "is_check";
   plans_text.replace(plans_text.find(check_column), check_column.size(), "is_catch");
   return hash_of(all + plans_text);

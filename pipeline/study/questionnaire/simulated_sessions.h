@@ -10,6 +10,7 @@
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/study/questionnaire/rating_spread.h"
 #include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/thresholds/simulated_observer.h"
 
 namespace mien::pipeline {
 
@@ -69,6 +70,7 @@ struct SimulatedParticipants {
   /// Of continuous trials: seconds between what is seen and its rating, and the durations of films.
   double reaction_lag_s = 2.0;
   VideoSeconds film_seconds = {};
+  SimulatedObservers observers = {};  ///< of adaptive trials
 };
 
 /// Simulated answers to all trials of all plans. A rating is the truth plus a response bias of the
@@ -82,8 +84,10 @@ struct SimulatedParticipants {
 /// above (of the rest, 63 % in 1.5 s), and where the truth changes, it approaches the changed
 /// opinion in the same way; the marker follows it after the reaction lag, with deviations that are
 /// correlated over time (first order, 1 s; standard deviation half of that of the residual, where
-/// the opinion is reached). Deterministic in the seed of each plan. Each row is marked as
-/// simulated.
+/// the opinion is reached). In adaptive trials, an answer is positive with the probability that the
+/// participant's psychometric function has at the level shown (SimulatedObservers) or, without the
+/// signal, with its guess rate; levels follow from the answers as on the page. Deterministic in the
+/// seed of each plan. Each row is marked as simulated.
 std::vector<AnswerRow> simulated_sessions(const Manifest& manifest,
                                           const std::vector<SessionPlan>& plans,
                                           const StatedTruth& truth,

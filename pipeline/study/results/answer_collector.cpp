@@ -58,6 +58,8 @@ class AnswerCollector {
       add_rating(row, *stimulus);
     } else if (find_trial_form(row.kind)->is_set) {
       add_best_or_worst(row);
+    } else if (find_trial_form(row.kind)->is_detection && result_.thresholds) {
+      add_level(row, *stimulus);
     } else if (find_trial_form(row.kind)->is_detection) {
       add_detection(row, *stimulus);
     } else if (row.item == find_trial_form(row.kind)->item) {
@@ -220,9 +222,9 @@ class AnswerCollector {
     const bool is_known = is_interval ? row.value == row.stimulus || row.value == row.against
                                       : row.value == positive || row.value == negative;
     if (!is_known) {
-      fault(row, fmt::format("{} is no answer to this trial", motion::in_quotes(row.value)),
-            is_interval ? fmt::format("answers are {} and {}", row.stimulus, row.against)
-                        : fmt::format("answers are {} and {}", positive, negative));
+      refuse_detection(row, is_interval
+                                ? fmt::format("answers are {} and {}", row.stimulus, row.against)
+                                : fmt::format("answers are {} and {}", positive, negative));
       return;
     }
     if (!counts(row)) return;
@@ -232,6 +234,64 @@ class AnswerCollector {
     if (other && *other < stimulus) std::swap(stimulus, *other);
     result_.detections.push_back({people_.at(row.participant), stimulus, other, is_signal,
                                   row.value == (is_interval ? row.stimulus : positive)});
+  }
+
+  void refuse_detection(const AnswerRow& row, std::string answers) {
+    fault(row, fmt::format("{} is no answer to this trial", motion::in_quotes(row.value)),
+          std::move(answers));
+  }
+
+  /// Whether the answer to an adaptive trial is right, "yes" or "different"; nullopt if it is none.
+  std::optional<bool> is_positive(const AnswerRow& row) const {
+    const TrialForm& form = *questionnaire_.trials;
+    if (&form == &two_interval_form) {
+      if (row.value != row.stimulus && row.value != row.against) return std::nullopt;
+      return signal_.contains(row.value);
+    }
+    const bool is_yes_no = &form == &yes_no_form;
+    if (row.value == (is_yes_no ? yes_answer : different_answer)) return true;
+    if (row.value == (is_yes_no ? "no" : "same")) return false;
+    return std::nullopt;
+  }
+
+  /// The level of an adaptive trial, which is that of the shown stimulus with the signal or, of a
+  /// trial without it, of the one shown.
+  std::optional<double> shown_level(const AnswerRow& row, std::size_t stimulus) {
+    const bool is_first = signal_.contains(row.stimulus) || row.against.empty() || !row.track;
+    const auto other = is_first ? stimulus : known_stimulus(row, row.against);
+    if (!other) return std::nullopt;
+    const auto level = motion::as_finite_number(row.level);
+    const std::string stated = level_in(result_.stimuli[*other].factors);
+    if (level && level == motion::as_finite_number(stated)) return level;
+    fault(row,
+          fmt::format("the level {} is not that of {}, which is {}", motion::in_quotes(row.level),
+                      result_.stimuli[*other].id, motion::in_quotes(stated)),
+          "use the file as written by the questionnaire, and its manifest");
+    return std::nullopt;
+  }
+
+  std::string level_in(const Factors& factors) const {
+    for (const auto& [name, level] : factors)
+      if (name == result_.thresholds->factor) return level;
+    return "";
+  }
+
+  void add_level(const AnswerRow& row, std::size_t stimulus) {
+    const std::string& factor = result_.thresholds->factor;
+    if (row.value.empty() || row.value == "NA" || row.is_practice) return;
+    const auto positive = is_positive(row);
+    if (!positive) return refuse_detection(row, "use the file as written by the questionnaire");
+    const auto level = shown_level(row, stimulus);
+    if (!level || !people_.contains(row.participant)) return;
+    const std::vector<std::string>& grid = result_.thresholds->procedure.levels;
+    const auto place = std::ranges::find_if(
+        grid, [&](const std::string& one) { return motion::as_finite_number(one) == level; });
+    if (row.track && place == grid.end())
+      return fault(row, fmt::format("{} is no level of {}", row.level, factor),
+                   "give the manifest that these answers belong to");
+    result_.levels.push_back({people_.at(row.participant), row.trial, row.track.value_or(0), *level,
+                              static_cast<std::size_t>(place - grid.begin()), *positive,
+                              counts(row)});
   }
 
   /// Part of the answer about a set. Both parts make a set.

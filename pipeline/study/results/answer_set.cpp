@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/statistics/t_test.h"
+#include "pipeline/manifest/adaptive_levels.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/counted_answers.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
@@ -233,6 +234,10 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.scales = questionnaire_scales(manifest).scales;
   result.choices = questionnaire_choices(manifest);
   result.grid = grid_sets(manifest);
+  if (!asked.adaptive.empty())
+    result.thresholds = {asked.adaptive.factor,
+                         asked.adaptive.easier == LevelDirection::rising ? 1.0 : -1.0,
+                         threshold_proportion(asked.adaptive), track_procedure(manifest)};
   if (asked.trials->is_continuous) result.trace_lead_s = asked.continuous.lead;
   result.trace_lag_s = asked.analysis.lag;
   result.is_slider = has_sliders(asked);
@@ -260,7 +265,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   append(faults, check_and_collect(manifest, rows, result));
   if (!faults.empty()) throw Faults(faults);
   if (result.ratings.empty() && result.chosen.empty() && result.preferences.empty() &&
-      result.detections.empty() && result.words.empty())
+      result.detections.empty() && result.words.empty() &&
+      std::ranges::none_of(result.levels, &AnalysedLevel::is_counted))
     refuse_without_answers(rows, result);
   note_middle_answers(result);
   note_deviations(asked.analysis, choices, result);

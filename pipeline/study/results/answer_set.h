@@ -19,6 +19,7 @@
 #include "pipeline/manifest/ratings/scales/scales.h"
 #include "pipeline/study/results/quality_flags.h"
 #include "pipeline/study/results/repeated_participation.h"
+#include "pipeline/study/thresholds/track_procedure.h"
 
 namespace mien::pipeline {
 
@@ -85,6 +86,26 @@ struct AnalysedDetection {
   bool is_positive = false;                         ///< answered with yes, first or different
 };
 
+/// An answer to an adaptive trial.
+struct AnalysedLevel {
+  std::size_t person = 0;
+  int trial = 0;          ///< number in the session
+  int track = 0;          ///< from 1; 0: without the signal, not of a track
+  double level = 0.0;     ///< of the factor, as stated in the manifest
+  std::size_t place = 0;  ///< of a track: the place of the level in the grid
+  bool is_positive = false;
+  /// Whether quality rules permit to count it. Levels follow from all answers.
+  bool is_counted = true;
+};
+
+/// How thresholds are determined from the answers to adaptive trials.
+struct ThresholdDesign {
+  std::string factor;
+  double sign = 1.0;        ///< level = sign · ease: −1 if lower levels are easier
+  double proportion = 0.0;  ///< of positive answers at the threshold
+  TrackProcedure procedure;
+};
+
 /// An answer about a set of stimuli: which is best and which is worst with respect to a scale.
 struct AnalysedSet {
   std::size_t person = 0;
@@ -147,6 +168,8 @@ struct AnswerSet {
   std::vector<AnalysedChoice> chosen;
   std::vector<AnalysedPreference> preferences;
   std::vector<AnalysedDetection> detections;
+  std::vector<AnalysedLevel> levels;          ///< of adaptive trials, in the order of the rows
+  std::optional<ThresholdDesign> thresholds;  ///< with adaptive trials only
   std::vector<AnalysedSet> sets;
   std::vector<GridSet> grid;         ///< the sets of grid trials
   std::vector<Remark> remarks;       ///< comments

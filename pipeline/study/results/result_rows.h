@@ -108,6 +108,8 @@ void add_factors(const Results& results, std::vector<WrittenTable>& tables);
 void add_worths(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of the sensitivities in detection.
 void add_detection(const Results& results, std::vector<WrittenTable>& tables);
+/// Adds the tables of the thresholds of adaptive trials.
+void add_thresholds(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of grid trials.
 void add_grid(const Results& results, std::vector<WrittenTable>& tables);
 /// Adds the tables of traces.

@@ -216,6 +216,7 @@ std::vector<WrittenTable> result_tables(const Results& results) {
   add_results(preference_columns, results.preferences, results.answer_set, tables);
   add_worths(results, tables);
   add_detection(results, tables);
+  add_thresholds(results, tables);
   add_grid(results, tables);
   add_traces(results, tables);
   add_participants(results, tables);

@@ -19,6 +19,7 @@
 #include "pipeline/study/results/quality_lists.h"
 #include "pipeline/study/results/retest.h"
 #include "pipeline/study/results/summaries.h"
+#include "pipeline/study/results/threshold_results.h"
 #include "pipeline/study/results/trace_results.h"
 #include "pipeline/study/results/word_frequencies.h"
 
@@ -38,6 +39,7 @@ struct Results {
   std::vector<PreferenceCount> preferences;
   std::vector<PairWorth> worths;
   DetectionResults detection;
+  ThresholdResults thresholds;
   std::vector<BestWorstScore> best_worst;
   GridResults grid;
   TraceResults traces;
@@ -68,6 +70,7 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.preferences = preferences_of(results.answer_set);
   results.worths = worths_of(results.answer_set);
   results.detection = detection_results(results.answer_set);
+  results.thresholds = threshold_results(results.answer_set);
   results.best_worst = best_worst_scores(results.answer_set);
   results.grid = grid_results(results.answer_set);
   results.traces = trace_results(results.answer_set);

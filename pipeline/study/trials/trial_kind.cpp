@@ -38,6 +38,8 @@ void set_trial_columns(const Trial& trial, AnswerRow& row) {
   row.kind = trial.kind_name();
   if (!trial.stimuli.empty()) row.stimulus = trial.stimuli[0];
   row.against = trial.against();
+  row.level = trial.level;
+  if (trial.is_adaptive()) row.track = trial.adaptive.track;
   row.is_practice = trial.practice;
   row.is_warmup = trial.warm_up;
   row.is_check = trial.is_check || trial.is_attention_check();

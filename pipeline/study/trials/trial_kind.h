@@ -29,6 +29,17 @@ struct TrialItem {
   friend bool operator==(const TrialItem&, const TrialItem&) = default;
 };
 
+/// What a trial of an adaptive track may show. Which level it is depends on the answers to earlier
+/// trials of the track.
+struct AdaptiveTrial {
+  int track = 0;  ///< from 1; 0: the trial is not adaptive, or without the signal
+  /// Of each level, from the hardest, the ids from left to right.
+  std::vector<std::vector<std::string>> by_level;
+  std::string positive;  ///< raw answer that is right, or says that the signal is there
+
+  friend bool operator==(const AdaptiveTrial&, const AdaptiveTrial&) = default;
+};
+
 /// One page of a session.
 struct Trial {
   int number = 0;  ///< from 1, counted over all blocks
@@ -36,17 +47,23 @@ struct Trial {
   /// or the interface or target that the trials of the block share.
   std::string block;
   const TrialKind* kind = &rating_trials;  ///< for an attention check, the kind that it resembles
-  std::vector<std::string>
-      stimuli;            ///< one id, or several from left to right; none in an attention check
-  std::string reference;  ///< reference stimulus shown in addition; empty if there is none
+  /// One id, or several from left to right; none in an attention check, and in plans none where the
+  /// level is not known yet (shown_at).
+  std::vector<std::string> stimuli;
+  std::string reference;         ///< reference stimulus shown in addition; empty if there is none
   std::vector<TrialItem> items;  ///< in page order
   bool practice = false;
   bool warm_up = false;
   bool is_check = false;  ///< an attention check, or a stimulus that is shown a second time
   /// In an attention check, the raw answer that passes; otherwise empty.
   std::string expected;
+  /// The level of the adaptive factor that is shown, as stated in the manifest; empty if it is not
+  /// known yet or there is none.
+  std::string level = {};
+  AdaptiveTrial adaptive = {};
 
   bool is_attention_check() const { return !expected.empty(); }
+  bool is_adaptive() const { return adaptive.track > 0; }
 
   /// Whether it is neither practice, warm-up, an attention check nor a repetition.
   bool is_analysed() const { return !practice && !warm_up && !is_check; }

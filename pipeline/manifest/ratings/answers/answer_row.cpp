@@ -43,6 +43,14 @@ constexpr auto answer_columns = std::to_array<AnswerColumn>({
       "reference shown beside it, the other stimulus of a pair, or the others of a set, separated "
       "by spaces"},
      &Row::against},
+    {{"level", "",
+      "in adaptive trials, the level of the factor that was shown, chosen by the answers so far; "
+      "otherwise empty"},
+     &Row::level},
+    {{"track", "",
+      "in adaptive trials, the track whose answers chose the level, from 1; empty in other trials "
+      "and in those without the signal"},
+     &Row::track},
     {{"item", "",
       "scale id; emotion for a choice from a list; same_different, yes_no or two_interval in "
       "trials "
@@ -138,7 +146,7 @@ constexpr auto answer_row_columns = [] {
 bool is_later_column(std::string_view name) {
   constexpr auto later = std::to_array<std::string_view>(
       {"blur_ms", "volume_events", "pixel_ratio", "attempt", "plays_before", "watched_before_ms",
-       "play_fault", "viewing_cm"});
+       "play_fault", "viewing_cm", "level", "track"});
   return std::ranges::find(later, name) != later.end() || name.starts_with("shown_");
 }
 

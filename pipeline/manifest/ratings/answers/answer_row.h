@@ -24,7 +24,9 @@ struct AnswerRow {
   std::string stimulus;         ///< empty for an attention check without one
   std::string stimulus_sha256;  ///< SHA-256 of the file that was shown
   std::string against;          ///< the reference, or the other stimulus of a pair
-  std::string item;             ///< id of the scale, or the form's own item (TrialForm)
+  std::string level;         ///< of the factor of adaptive trials that was shown; empty in others
+  std::optional<int> track;  ///< of adaptive trials, from 1; empty without the signal
+  std::string item;          ///< id of the scale, or the form's own item (TrialForm)
   std::string value_raw;  ///< position from the left, chosen or written words, or a side ("left")
   /// Value in the scale's range, where the maximum is the high pole; or the choice.
   std::string value;
@@ -97,9 +99,9 @@ std::vector<std::string> fields_of_row(const AnswerRow& row);
 enum class DuplicateAnswers { refused, allowed };
 
 /// Reads the output of to_csv, also of earlier versions, in which `is_check` was called `is_catch`
-/// and there were no `blur_ms`, `volume_events`, attempts and sizes of stimuli. In the first case,
-/// a warning is added to `warnings` unless it is null. Columns may be in any order; unknown columns
-/// are ignored.
+/// and there were no `blur_ms`, `volume_events`, attempts, levels and sizes of stimuli. In the
+/// first case, a warning is added to `warnings` unless it is null. Columns may be in any order;
+/// unknown columns are ignored.
 ///
 /// Throws Faults, at file:line:column: first for missing columns or no rows, then with all faults
 /// of the rows at once: an empty participant or trial, an empty stimulus or item (except in

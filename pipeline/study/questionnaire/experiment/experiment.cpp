@@ -10,6 +10,7 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/study_texts.h"
 #include "pipeline/study/questionnaire/simulated_sessions.h"
+#include "pipeline/study/thresholds/track_json.h"
 
 namespace mien::pipeline {
 
@@ -101,24 +102,40 @@ ordered_json consent_json(const Questionnaire& asked) {
   return {{"version", asked.consent_version}, {"sha256", sha256_of(asked.consent.text)}};
 }
 
+ordered_json tokens_json(const Manifest& manifest, const std::vector<std::string>& stimuli) {
+  ordered_json tokens = ordered_json::array();
+  for (const std::string& stimulus : stimuli) tokens.push_back(media_token(manifest, stimulus));
+  return tokens;
+}
+
+/// What a trial of a track shows at each level, or the level of a trial without the signal.
+void add_adaptive(const Manifest& manifest, const Trial& trial, ordered_json& text) {
+  if (!trial.level.empty()) text["level"] = trial.level;
+  if (!trial.is_adaptive()) return;
+  text["track"] = trial.adaptive.track;
+  text["positive"] = trial.adaptive.positive;
+  for (const std::vector<std::string>& stimuli : trial.adaptive.by_level)
+    text["by_level"].push_back(tokens_json(manifest, stimuli));
+}
+
 ordered_json trial_json(const Manifest& manifest, const Trial& trial) {
-  ordered_json media = ordered_json::array();
-  for (const std::string& stimulus : trial.stimuli)
-    media.push_back(media_token(manifest, stimulus));
   ordered_json items = ordered_json::array();
   for (const TrialItem& asked : trial.items)
     items.push_back({{"item", asked.item}, {"flipped", asked.flipped}});
-  return {{"number", trial.number},
-          {"block", trial.block},
-          {"kind", trial.kind_name()},
-          {"media", media},
-          {"reference",
-           trial.reference.empty() ? std::string() : media_token(manifest, trial.reference)},
-          {"items", items},
-          {"practice", trial.practice},
-          {"warm_up", trial.warm_up},
-          {"check", trial.is_check},
-          {"expected", trial.expected}};
+  ordered_json text = {
+      {"number", trial.number},
+      {"block", trial.block},
+      {"kind", trial.kind_name()},
+      {"media", tokens_json(manifest, trial.stimuli)},
+      {"reference",
+       trial.reference.empty() ? std::string() : media_token(manifest, trial.reference)},
+      {"items", items},
+      {"practice", trial.practice},
+      {"warm_up", trial.warm_up},
+      {"check", trial.is_check},
+      {"expected", trial.expected}};
+  add_adaptive(manifest, trial, text);
+  return text;
 }
 
 /// Seeds are written as strings: 64 bits do not fit JavaScript's numbers.
@@ -246,6 +263,7 @@ ordered_json experiment_in_language(const Manifest& manifest, const ordered_json
                              {"choices", choices_json(manifest)},
                              {"demographics", demographics_json(asked.demographics)},
                              {"sessions", sessions}};
+  if (!asked.adaptive.empty()) experiment["adaptive"] = procedure_json(track_procedure(manifest));
   if (ordered_json consent = consent_json(asked); !consent.is_null())
     experiment["consent"] = std::move(consent);
   if (!asked.screening.empty())

@@ -48,6 +48,8 @@ std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
   for (const SessionPlan& plan : plans) {
     for (const Trial& trial : plan.trials) {
       stimuli.insert(trial.stimuli.begin(), trial.stimuli.end());
+      for (const std::vector<std::string>& shown : trial.adaptive.by_level)
+        stimuli.insert(shown.begin(), shown.end());
       if (!trial.reference.empty()) stimuli.insert(trial.reference);
     }
   }

@@ -7,8 +7,10 @@
 
 #include "pipeline/manifest/continuous.h"
 #include "pipeline/manifest/ratings/answers/trace.h"
+#include "pipeline/study/questionnaire/adaptive_part.h"
 #include "pipeline/study/questionnaire/service/record_reader.h"
 #include "pipeline/study/questionnaire/service/screening_record.h"
+#include "pipeline/study/thresholds/track_json.h"
 
 namespace mien::pipeline {
 
@@ -185,6 +187,8 @@ QuestionnaireFacts questionnaire_facts(const nlohmann::ordered_json& experiment)
   if (const auto languages = experiment.find("languages"); languages != experiment.end())
     for (const auto& [language, shown] : languages->items())
       if (!shown.empty()) facts.consents[language] = consent_of(shown);
+  if (const auto adaptive = experiment.find("adaptive"); adaptive != experiment.end())
+    facts.tracks = procedure_of(*adaptive);
   facts.screening = screening_of(experiment);
   if (const auto found = experiment.find("recruitment"); found != experiment.end()) {
     facts.recruitment.url_parameters = found->at("url_parameters");
@@ -237,6 +241,8 @@ PageRecord read_record(const nlohmann::json& text) {
   record.consent = read_consent(reader.find("consent"));
   if (reader.find("language") != nullptr) record.language = reader.name("language");
   record.media_sha256 = read_hashes(reader.find("media_sha256"));
+  record.level = reader.count("level");
+  if (reader.find("track_ended") != nullptr) record.is_track_ended = reader.boolean("track_ended");
   if (const nlohmann::json* matching = reader.find("matching"))
     record.matching = read_matching_record(*matching);
   if (const nlohmann::json* chain = reader.find("chain")) record.chain = read_chain_record(*chain);
@@ -253,8 +259,15 @@ std::vector<std::string> record_names(const SessionPlan& plan, const Questionnai
   return names;
 }
 
+Trial shown_trial(const QuestionnaireFacts& facts, const Trial& trial, const PageRecord& record) {
+  if (!trial.is_adaptive() || !record.level || !facts.tracks) return trial;
+  return shown_at(trial, static_cast<std::size_t>(*record.level), facts.tracks->levels);
+}
+
 std::vector<AnswerRow> rows_of(const QuestionnaireFacts& facts, const SessionPlan& plan,
-                               const Trial& trial, const PageRecord& record) {
+                               const Trial& planned, const PageRecord& record) {
+  if (record.is_track_ended) return {};
+  const Trial trial = shown_trial(facts, planned, record);
   std::vector<AnswerRow> rows;
   if (!record.measured.play_fault.empty()) return rows_left_out(facts, plan, trial, record);
   for (const ItemResponse& response : record.responses) {

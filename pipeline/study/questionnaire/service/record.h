@@ -12,6 +12,7 @@
 #include "pipeline/study/questionnaire/service/chain_record.h"
 #include "pipeline/study/questionnaire/service/matching_record.h"
 #include "pipeline/study/questionnaire/session_plan.h"
+#include "pipeline/study/thresholds/track_procedure.h"
 #include "pipeline/study/trials/trial_kind.h"
 
 namespace mien::pipeline {
@@ -56,6 +57,7 @@ struct QuestionnaireFacts {
   std::map<std::string, double> seconds;      ///< duration of the media, by stimulus
   std::optional<MatchingFacts> matching;      ///< only in a matching experiment
   std::optional<ChainFacts> chains;           ///< only in an adaptive experiment
+  std::optional<TrackProcedure> tracks;       ///< only with adaptive trials
 };
 
 /// Combines an item of a trial with its scale and choices.
@@ -84,6 +86,9 @@ struct PageRecord {
   std::optional<MatchingRecord> matching;  ///< only for a matching trial
   /// Only for a step of a chain; without it, there was no step left for the trial.
   std::optional<ChainRecord> chain;
+  std::optional<int> level;  ///< of an adaptive trial: the place of the level shown, from 0
+  /// The track of an adaptive trial had ended, so that nothing was shown.
+  bool is_track_ended = false;
 };
 
 /// Text as tables have it: control characters other than line breaks and tabs become spaces.
@@ -96,6 +101,10 @@ PageRecord read_record(const nlohmann::json& text);
 /// Names of a session's records in order: "consent", "screening" (if there is one), "demographics"
 /// (if there are demographic questions), "trial-1", …, "ending".
 std::vector<std::string> record_names(const SessionPlan& plan, const QuestionnaireFacts& facts);
+
+/// The trial as the record says that it was shown: of an adaptive trial at a level, otherwise as
+/// planned.
+Trial shown_trial(const QuestionnaireFacts& facts, const Trial& trial, const PageRecord& record);
 
 /// One row for each response of a trial, in their order; of a trial that was left out since its
 /// stimuli could not be played (play_fault), one for each item, without an answer. The record must

@@ -80,10 +80,26 @@ void check_chain_trial(const ChainFacts& facts, const SessionPlan& plan, const T
   if (!facts.across_participants || trial.practice) throw RecordFault("the trial has no step");
 }
 
+/// Checks what a record says about the level of a trial, apart from whether it follows from earlier
+/// answers (track_check.h).
+void check_level_member(const QuestionnaireFacts& facts, const Trial& trial,
+                        const PageRecord& record) {
+  const bool is_adaptive = trial.is_adaptive() && facts.tracks;
+  if (record.is_track_ended && !is_adaptive) throw RecordFault("this trial belongs to no track");
+  if (record.level.has_value() != (is_adaptive && !record.is_track_ended))
+    throw RecordFault(is_adaptive ? "the level of an adaptive trial is missing, or not expected"
+                                  : "this trial has no levels");
+  if (record.level && *record.level >= static_cast<int>(facts.tracks->levels.size()))
+    throw RecordFault(fmt::format("there is no level {}", *record.level));
+}
+
 void check_trial_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
-                        const Trial& trial, const PageRecord& record) {
-  if (record.chain && trial.kind != &chain_trials)
+                        const Trial& planned, const PageRecord& record) {
+  check_level_member(facts, planned, record);
+  if (record.chain && planned.kind != &chain_trials)
     throw RecordFault("the record is of a different kind of trial");
+  if (record.is_track_ended) return check_items(record, {});
+  const Trial trial = shown_trial(facts, planned, record);
   if (record.matching.has_value() != (trial.kind == &matching_trials))
     throw RecordFault("the record is of a different kind of trial");
   if (record.matching) {
@@ -193,7 +209,8 @@ bool is_refusal(const PageRecord& record) {
 
 void check_record(const QuestionnaireFacts& facts, const SessionPlan& plan,
                   const PageRecord& record) {
-  if ((record.matching || record.chain) && trial_of(plan, record.name) == nullptr)
+  const bool is_of_trial = record.matching || record.chain || record.level || record.is_track_ended;
+  if (is_of_trial && trial_of(plan, record.name) == nullptr)
     throw RecordFault("this page has no trial");
   check_url_parameters(facts, record);
   if (!record.language.empty() && record.name != consent_record)

@@ -16,6 +16,9 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
   std::set<std::string> tokens;
   for (const auto& trial : session.at("trials")) {
     for (const auto& token : trial.at("media")) tokens.insert(token.get<std::string>());
+    if (const auto levels = trial.find("by_level"); levels != trial.end())
+      for (const auto& shown : *levels)
+        for (const auto& token : shown) tokens.insert(token.get<std::string>());
     tokens.insert(trial.value("reference", ""));
   }
   return tokens;
@@ -72,6 +75,7 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
   own["sessions"] = nlohmann::ordered_json::array({std::move(session)});
   own["kept"] = progress.stored;
   own["browser"] = progress.browser;
+  if (!progress.answered.is_null()) own["answered"] = progress.answered;
   if (progress.ended) own["ended"] = word_of(session_end_words, *progress.ended);
   if (!progress.destination.is_null()) own["destination"] = progress.destination;
   return own.dump();

@@ -55,6 +55,8 @@ struct SessionProgress {
   std::optional<SessionEnd> ended;  ///< the session ended early
   /// Where the participant is sent to (recruited_participants.h); null: nowhere, or not yet.
   nlohmann::ordered_json destination = nullptr;
+  /// Of adaptive trials: answered_levels_json; null in other studies.
+  nlohmann::ordered_json answered = nullptr;
 };
 
 /// experiment.json for one participant's page, with only the session of this participant (which

@@ -10,6 +10,7 @@
 #include "pipeline/study/questionnaire/service/collected_answers.h"
 #include "pipeline/study/questionnaire/service/record_check.h"
 #include "pipeline/study/questionnaire/service/recruited_participants.h"
+#include "pipeline/study/questionnaire/service/track_check.h"
 #include "pipeline/study/questionnaire/service/withdrawal.h"
 
 namespace mien::pipeline {
@@ -178,10 +179,24 @@ HttpResponse QuestionnaireService::answer_in_session(const HttpRequest& request,
                                   {.stored = {state.names.begin(), stored_end},
                                    .browser = state.browser,
                                    .ended = state.ended,
-                                   .destination = destination_of(session)}));
+                                   .destination = destination_of(session),
+                                   .answered = answered_levels(state)}));
   }
   const std::optional<HttpResponse> file = page_file(name);
   return file ? *file : unknown(request);
+}
+
+std::vector<PageRecord> QuestionnaireService::stored_records(int session) const {
+  std::vector<PageRecord> records;
+  for (const StoredRecord& stored : sessions_.store().records_of(session))
+    records.push_back(read_record(nlohmann::json::parse(stored.content)));
+  return records;
+}
+
+nlohmann::ordered_json QuestionnaireService::answered_levels(const SessionState& state) const {
+  if (!study_.facts.tracks) return nullptr;
+  return answered_levels_json(sessions_.plan_of(state.session),
+                              stored_records(state.session.index));
 }
 
 HttpResponse QuestionnaireService::answer_live(const HttpRequest& request) {
@@ -203,6 +218,10 @@ HttpResponse QuestionnaireService::take_record(const HttpRequest& request, int s
   return with_record(request, salt(), [&](const PageRecord& record, const std::string& content) {
     const SessionPlan plan = sessions_.plan_of(state.session);
     check_record(study_.facts, plan, record);
+    // Records that are not the next are refused, or repeat a stored one.
+    if (study_.facts.tracks && state.stored < state.names.size() &&
+        state.names[state.stored] == record.name)
+      check_level_shown(study_.facts, plan, record, stored_records(session));
     if (record.matching)
       check_distances(*study_.live, *trial_of(plan, record.name), *record.matching);
     return keep_record(session, record, content);

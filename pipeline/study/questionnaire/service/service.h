@@ -64,6 +64,9 @@ class QuestionnaireService {
   std::optional<std::string> salt() const;
   /// Where the participant is sent to; null unless the session is finished or has ended early.
   nlohmann::ordered_json destination_of(int session) const;
+  std::vector<PageRecord> stored_records(int session) const;
+  /// answered_levels_json of a session; null without adaptive trials.
+  nlohmann::ordered_json answered_levels(const SessionState& state) const;
   HttpResponse answer_media(const HttpRequest& request) const;
   std::optional<HttpResponse> page_file(const std::string& name) const;
   HttpResponse answer_join(const HttpRequest& request);

@@ -336,6 +336,7 @@ std::vector<ResultFigure> result_figures(const Results& results) {
   add_grid_figures(results, figures);
   add_trace_figures(results, figures);
   add_detection_figures(results, figures);
+  add_threshold_figures(results, figures);
   add_word_figures(results, figures);
   name_files(figures);
   return figures;

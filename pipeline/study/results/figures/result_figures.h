@@ -65,6 +65,10 @@ void add_trace_figures(const Results& results, std::vector<ResultFigure>& figure
 /// if there are not too many.
 void add_detection_figures(const Results& results, std::vector<ResultFigure>& figures);
 
+/// Adds figures of the thresholds of adaptive trials: proportions by level with the fitted
+/// functions, levels over the trials, and the participants' thresholds, if there are not too many.
+void add_threshold_figures(const Results& results, std::vector<ResultFigure>& figures);
+
 /// Adds figures for each free-text question: the most frequent words by stimulus.
 void add_word_figures(const Results& results, std::vector<ResultFigure>& figures);
 

@@ -51,6 +51,10 @@ std::string worth_section_html(const Results& results, const std::string& figure
 /// without answers to detection.
 std::string detection_section_html(const Results& results, const std::string& figures);
 
+/// The section of the thresholds of adaptive trials: how they are determined, `figures`, and the
+/// tables. Empty without such answers.
+std::string threshold_section_html(const Results& results, const std::string& figures);
+
 /// The section of grid trials: what they mean, `figures`, and the tables. Empty without such
 /// answers.
 std::string grid_section_html(const Results& results, const std::string& figures);

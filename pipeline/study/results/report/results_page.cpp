@@ -365,6 +365,8 @@ std::string results_page(const Results& results, const std::vector<ResultFigure>
                 worth_section_html(results, parts.figures("worth")));
   parts.section("sensitivity", "Sensitivity",
                 detection_section_html(results, parts.figures("sensitivity")));
+  parts.section("thresholds", "Thresholds",
+                threshold_section_html(results, parts.figures("thresholds")));
   parts.section("comments", "Comments", remarks_html(results.answer_set.remarks));
   parts.section("words", "Free-text answers", words_html(results, parts));
   parts.section(

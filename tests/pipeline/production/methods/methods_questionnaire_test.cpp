@@ -16,6 +16,7 @@
 #include "pipeline/production/methods/methods.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/run/option_variants.h"
+#include "pipeline/study/thresholds/dose_study.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -241,6 +242,42 @@ TEST_F(MethodsQuestionnaire, SaysHowFilmsWereRatedWhileTheyPlayed) {
   expect_said(methods_of_asked("participants: 4, scales: [slow-fast], trials: continuous, "
                                "continuous: {lead: 0}"),
               "the mean of a trial is of all samples.");
+}
+
+TEST_F(MethodsQuestionnaire, SaysHowLevelsWereChosen) {
+  const auto methods_of_doses = [](const std::string& form, const std::string& more) {
+    return methods_for(test::dose_study_text(test::adaptive_members(form, more)));
+  };
+  const std::string quest = methods_of_doses("two_interval", "factor: dose, tracks: 2");
+  for (const char* words :
+       {"participants saw two films one after the other, one of them with the signal, and said "
+        "which one had it.",
+        "There were 6 levels of dose (0.5, 1, 1.5, 2, 2.5, 3), of which each trial showed one that "
+        "depended on the participant’s answers so far.",
+        "Levels were chosen by QUEST+ [@watson2017], for a logistic psychometric function with "
+        "unknown location, width and lapse rate.",
+        "There were 2 interleaved tracks with levels of their own; each ended after 40 trials.",
+        "[@wichmann2001a; @wichmann2001b]",
+        "The threshold was the level of dose at which the function gives 75 % right answers.",
+        "the mean of the posterior distribution of the threshold was given"})
+    expect_said(quest, words);
+  for (const char* words : {"d′", "random order for each participant", "without the signal"})
+    EXPECT_EQ(quest.find(words), std::string::npos) << words;
+  const std::string staircase = methods_of_doses(
+      "yes_no",
+      "factor: dots, easier: falling, method: staircase, down: 1, step: {up: 3, down: 1}");
+  for (const char* words :
+       {"participants saw one film and said whether the signal was present.",
+        "Levels were chosen by a staircase (1 up, 1 down; steps of 3 up and 1 down in places of "
+        "the "
+        "list of levels) that began with the easiest level and converges to 75 % answers “yes” "
+        "[@levitt1971; @kaernbach1991].",
+        "There was one track with levels of its own; it ended after 40 trials.",
+        "Among them, at random places, were 10 trials without the signal.",
+        "For each track, the mean level of the reversals after the first two was given."})
+    expect_said(staircase, words);
+  expect_said(methods_of_doses("same_different", "factor: dose, method: staircase, reversals: 8"),
+              "it ended after 8 reversals, or 40 trials.");
 }
 
 TEST_F(MethodsQuestionnaire, CountsTrialsThatAreNotAnalysedOnEachScaleInTurn) {

@@ -98,6 +98,8 @@ constexpr char with_reference[] =
     R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "grid", "grid": {"alike": ["actor"], "reference": {"mood": ["x"]}}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"actor": "k", "mood": "x"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"actor": "m", "mood": "y"}}, {"id": "c", "weights": {"sad": 1}, "factors": {"actor": "k", "mood": "y"}}, {"id": "d", "weights": {"normal": 1}, "factors": {"actor": "m", "mood": "x"}}]})";
 constexpr char with_continuous[] =
     R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "continuous"}, "output": {"video": ["mp4"]}})";
+constexpr char with_staircase[] =
+    R"({"questionnaire": {"participants": 4, "trials": "same_different", "adaptive": {"factor": "dose", "method": "staircase", "trials": 20}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"dose": "0", "mood": "0"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"dose": "1", "mood": "4"}}, {"id": "c", "weights": {"proud": 1}, "factors": {"dose": "2", "mood": "3"}}, {"id": "d", "weights": {"tired": 1}, "factors": {"dose": "3", "mood": "2"}}, {"id": "e", "weights": {"tired": 1}, "factors": {"dose": "4", "mood": "1"}}]})";
 constexpr char with_same_different[] =
     R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}})";
 constexpr char with_same_different_and_factors[] =
@@ -205,6 +207,9 @@ const Surroundings surroundings[] = {
     {"questionnaire.grid.reference", with_grid_of_actors, "{}"},
     {"questionnaire.grid.anchor", with_grid_of_actors, "{}"},
     {"questionnaire.grid", with_grid, "{}"},
+    {"questionnaire.adaptive.step.", with_staircase, "{}"},
+    {"questionnaire.adaptive.", with_staircase, "{}"},
+    {"questionnaire.adaptive", with_staircase, "{}"},
     {"questionnaire.continuous.", with_continuous, "{}"},
     {"questionnaire.continuous", with_continuous, "{}"},
     {"questionnaire.analysis.lag", with_continuous, "{}"},
@@ -552,6 +557,14 @@ const Values chosen_values[] = {
     {"questionnaire.best_worst", R"([{"size": 3, "sets": 2}, {"size": 3, "sets": 5}])"},
     {"questionnaire.best_worst.size", "[3, 4]"},
     {"questionnaire.best_worst.sets", "[4, 5]"},
+    {"questionnaire.adaptive", R"([{"factor": "dose"}, {"factor": "mood"}])"},
+    {"questionnaire.adaptive.factor", R"(["dose", "mood"])"},
+    {"questionnaire.adaptive.trials", "[30, 50]"},
+    {"questionnaire.adaptive.tracks", "[2, 3]"},
+    {"questionnaire.adaptive.proportion", "[0.6, 0.8]"},
+    {"questionnaire.adaptive.step", R"([2, {"up": 3, "down": 1}])"},
+    {"questionnaire.adaptive.step.up", "[2, 3]"},
+    {"questionnaire.adaptive.step.down", "[2, 3]"},
     {"questionnaire.continuous", R"([{"lead": 2}, {"lead": 3}])"},
     {"questionnaire.grid", R"([{"alike": ["actor"]}, {"alike": ["mood"]}])"},
     {"questionnaire.grid.alike", R"([["actor"], ["mood"]])"},

@@ -3,13 +3,13 @@
 
 export const answerColumns = [
   "participant", "session", "trial", "block", "kind", "stimulus",
-  "stimulus_sha256", "against", "item", "value_raw", "value", "pole_left",
-  "rt_ms", "is_practice", "is_warmup", "is_check", "expected", "passed",
-  "replays", "attempt", "plays_before", "watched_before_ms", "play_fault", "trial_ms",
-  "play_start_ms", "ended_ms", "stalls", "stall_ms", "dropped_frames", "volume_events",
-  "blurs", "blur_ms", "viewport_width", "viewport_height", "refresh_hz", "shown_width",
-  "shown_height", "pixel_ratio", "shown_cm", "shown_degrees", "viewing_cm", "comment",
-  "seed", "design", "simulated",
+  "stimulus_sha256", "against", "level", "track", "item", "value_raw",
+  "value", "pole_left", "rt_ms", "is_practice", "is_warmup", "is_check",
+  "expected", "passed", "replays", "attempt", "plays_before", "watched_before_ms",
+  "play_fault", "trial_ms", "play_start_ms", "ended_ms", "stalls", "stall_ms",
+  "dropped_frames", "volume_events", "blurs", "blur_ms", "viewport_width", "viewport_height",
+  "refresh_hz", "shown_width", "shown_height", "pixel_ratio", "shown_cm", "shown_degrees",
+  "viewing_cm", "comment", "seed", "design", "simulated",
 ] as const;
 
 export const participantColumns = [

@@ -29,6 +29,9 @@ export interface Experiment {
   /** Which stimulus a token stands for; never sent by a server. */
   stimuli?: Record<string, string>;
   sessions: Session[];
+  adaptive?: Adaptive;
+  /** Of adaptive trials: what the server has already, by the names of records. */
+  answered?: Record<string, LevelAnswer>;
   /** Records that the server has already. */
   kept?: string[];
   /** Browser session that gave them, and alone may give more; empty before the first. */
@@ -149,6 +152,42 @@ export interface Media {
   sound?: boolean;
 }
 
+/** How levels of adaptive trials are chosen (pipeline/study/thresholds/track_json.h). Levels are places of a grid. */
+export interface Adaptive {
+  method: "quest" | "staircase";
+  /** As they are written, from the hardest to the easiest. */
+  levels: string[];
+  /** Numbers that increase with ease. */
+  ease: number[];
+  quest?: QuestGrid;
+  staircase?: StaircaseRule;
+}
+
+/** The values of the parameters of psychometric functions. */
+export interface QuestGrid {
+  location: number[];
+  width: number[];
+  guess: number[];
+  lapse: number[];
+}
+
+export interface StaircaseRule {
+  start: number;
+  positive_to_fall: number;
+  negative_to_rise: number;
+  step_down: number;
+  step_up: number;
+  /** 0: without limit. */
+  most_reversals: number;
+  most_trials: number;
+}
+
+/** The answer to a trial of a track: the place of its level, and whether it was right, "yes" or "different". */
+export interface LevelAnswer {
+  place: number;
+  positive: boolean;
+}
+
 export interface Session {
   participant: string;
   /** Digits: more of them than a number of JavaScript holds. */
@@ -171,6 +210,13 @@ export interface Trial {
   /** An attention check, or a stimulus that is shown a second time. */
   check: boolean;
   expected?: string;
+  /** Of adaptive trials: the level; of a track, once it is known. */
+  level?: string;
+  /** Of a track: what is shown at each level, the raw answer that is positive, and, once it is known, the place. */
+  track?: number;
+  by_level?: string[][];
+  positive?: string;
+  place?: number;
 }
 
 export interface Response {
@@ -230,6 +276,10 @@ export interface PageRecord {
   shown_degrees?: number | null;
   viewing_cm?: number | null;
   media_sha256?: string[];
+  /** Of a trial of a track: the place of the level. */
+  level?: number;
+  /** The track had ended, and nothing was shown. */
+  track_ended?: true;
   /** Of consent: the language of the page. */
   language?: string;
   /** Of consent: the text that was shown. */

@@ -1,4 +1,5 @@
 import { initJsPsych } from "jspsych";
+import { Tracks } from "./adaptive/tracks";
 import { distanceOf, measureDistance } from "./blind_spot";
 import { calibrate, calibration, neededWindow, needsCalibration, rowsOfSet } from "./display";
 import {
@@ -112,12 +113,12 @@ const besidesReference = ({ media, reference }: Trial): string[] =>
 /** Asks for a window in which the stimuli have their size; whoever cannot give one goes on all the same. */
 async function fitWindow({ experiment, store, texts }: Session, display: HTMLElement): Promise<void> {
   const { settings, media } = experiment;
-  const trials = store.session.trials.map((trial) => {
+  const trials = store.session.trials.flatMap((trial) => (trial.by_level ?? [trial.media]).map((films) => {
     const shown = trial.kind === "grid" ? besidesReference(trial)
-      : settings.pairs === "in_turn" ? trial.media.slice(0, 1)
-      : trial.reference ? [...trial.media, trial.reference] : trial.media;
+      : settings.pairs === "in_turn" ? films.slice(0, 1)
+      : trial.reference ? [...films, trial.reference] : films;
     return rowsOfSet(shown.map((token) => media[token]!));
-  });
+  }));
   await enlargedWindow(display, texts, neededWindow(settings.display, trials));
 }
 
@@ -154,8 +155,12 @@ function timelineOf(own: Session) {
   const { session } = store;
   const stock: Stock = new Map();
   const kept = (name: string) => store.kept.has(name);
+  const tracks = experiment.adaptive && new Tracks(experiment.adaptive, session, store.records, experiment.answered);
   const around: TrialSurroundings = { experiment, session, texts, stock, name: store.name,
-    refresh_hz: null, keep };
+    refresh_hz: null, tracks, async keep(record, page) {
+      await keep(record, page);
+      tracks?.note(record);
+    } };
   const timeline: object[] = [];
   const { instructions } = experiment.texts;
 

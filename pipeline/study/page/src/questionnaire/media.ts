@@ -1,3 +1,4 @@
+import { mediaOf } from "./adaptive/tracks";
 import type { Experiment, Media, Session } from "./experiment";
 
 /** What is shown of a token: a URL that plays without a network. */
@@ -5,8 +6,8 @@ export type Stock = Map<string, string>;
 
 /** Tokens of a session, each once, in the order in which they are needed. */
 const tokensOf = (session: Session): string[] => [
-  ...new Set(session.trials.flatMap(({ media, reference }) =>
-    reference ? [...media, reference] : media)),
+  ...new Set(session.trials.flatMap((trial) =>
+    trial.reference ? [...mediaOf(trial), trial.reference] : mediaOf(trial))),
 ];
 
 /** A page of file:// may show the files beside it and not fetch them. */

@@ -1,4 +1,5 @@
 import { answerColumns, participantColumns } from "./columns";
+import { shownIn } from "./adaptive/tracks";
 import { screeningFault } from "./screening";
 import type { Experiment, PageRecord, Response, Session, Trial } from "./experiment";
 import { toneAttempts, toneItem } from "./tone_count";
@@ -17,8 +18,10 @@ const tableText = (text: string): string =>
 
 /** One row a response, in the order of the responses. */
 function rowsOf(
-  experiment: Experiment, session: Session, trial: Trial, record: PageRecord,
+  experiment: Experiment, session: Session, planned: Trial, record: PageRecord,
 ): Row[] {
+  if (record.track_ended) return [];
+  const trial = shownIn(planned, record, experiment);
   const stimulus = (token: string | undefined) => (token && experiment.stimuli?.[token]) ?? "";
   const [shown, ...others] = trial.media;
   const kind = kindOf(trial);
@@ -40,6 +43,8 @@ function rowsOf(
       stimulus: means.stimulus ?? stimulus(shown),
       stimulus_sha256: record.media_sha256?.[means.shown ?? 0] ?? "",
       against: means.against ?? (others.length ? others.map(stimulus).join(" ") : stimulus(trial.reference)),
+      level: trial.level ?? "",
+      track: numberText(trial.track),
       item: means.item ?? response.item,
       value_raw: raw,
       value: means.value,

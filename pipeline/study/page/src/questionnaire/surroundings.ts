@@ -50,9 +50,12 @@ export async function storeOf<Own extends { participant: string }>(
   const unsent = unsentRecord(experiment, base());
   const store = servedStore(experiment, base());
   if (unsent) {
-    await store.keep(unsent, waitNote(root(), texts)).catch((error: unknown) => {
+    try {
+      await store.keep(unsent, waitNote(root(), texts));
+      store.records[unsent.record] = unsent;
+    } catch (error) {
       if (!(error instanceof Declined)) throw error;  // else the page asks once more
-    });
+    }
   }
   return store;
 }

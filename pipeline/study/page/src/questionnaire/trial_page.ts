@@ -1,4 +1,5 @@
 import { ParameterType, type JsPsych, type JsPsychPlugin, type TrialType } from "jspsych";
+import type { Tracks } from "./adaptive/tracks";
 import { isMissing, responsesOf, type Asked } from "./answers";
 import { TrialAttempt } from "./attempts";
 import { button, element } from "./elements";
@@ -31,6 +32,8 @@ export interface TrialSurroundings {
   stock: Stock;
   name: string;
   refresh_hz: number | null;
+  /** Of adaptive trials: what chooses their levels. */
+  tracks?: Tracks | undefined;
   keep(record: PageRecord, page: HTMLElement): Promise<void>;
 }
 
@@ -307,17 +310,29 @@ class TrialAtWork {
       refresh_hz: around.refresh_hz,
       ...this.stage?.shownSize(),
       media_sha256: tokens.map((token) => around.experiment.media[token]!.sha256),
+      ...(trial.place !== undefined && { level: trial.place }),
       started_at: this.started_at,
     };
   }
 }
+
+/** The record of a trial of which nothing is shown, as its track has ended. */
+const recordOfEndedTrack = (trial: Trial, { name }: TrialSurroundings): PageRecord => ({
+  record: `trial-${trial.number}`, session: name, responses: [], comment: "",
+  started_at: new Date().toISOString(), track_ended: true,
+});
 
 export class TrialPage implements JsPsychPlugin<typeof info> {
   static info = info;
   constructor(private jsPsych: JsPsych) {}
 
   trial(display: HTMLElement, trial: TrialType<typeof info>): void {
-    new TrialAtWork(display, trial.asked as Trial, trial.shownIn as TrialSurroundings,
-      ({ record }) => this.jsPsych.finishTrial({ record })).begin();
+    const around = trial.shownIn as TrialSurroundings;
+    const planned = trial.asked as Trial;
+    const done = ({ record }: PageRecord) => this.jsPsych.finishTrial({ record });
+    const shown = around.tracks ? around.tracks.next(planned) : planned;
+    if (shown) return new TrialAtWork(display, shown, around, done).begin();
+    const ended = recordOfEndedTrack(planned, around);
+    void around.keep(ended, display).then(() => done(ended));
   }
 }

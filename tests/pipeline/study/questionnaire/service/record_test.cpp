@@ -205,6 +205,13 @@ SessionPlan plan_in(const nlohmann::json& session, const nlohmann::json& stimuli
     if (!reference.empty()) trial.reference = stimuli.at(reference);
     for (const nlohmann::json& item : told.at("items"))
       trial.items.push_back({item.at("item"), item.at("flipped")});
+    trial.level = told.value("level", "");
+    trial.adaptive.track = told.value("track", 0);
+    for (const nlohmann::json& tokens : told.value("by_level", nlohmann::json::array())) {
+      trial.adaptive.by_level.emplace_back();
+      for (const nlohmann::json& token : tokens)
+        trial.adaptive.by_level.back().push_back(stimuli.at(token.get<std::string>()));
+    }
     plan.trials.push_back(std::move(trial));
   }
   return plan;
