@@ -20,9 +20,9 @@ constexpr double max_trials = 2000;
 constexpr double max_steps = 1e6;
 
 /// Checks an adaptive experiment against the rest of its manifest.
-class AdaptiveCheck {
+class AdaptiveExperimentCheck {
  public:
-  explicit AdaptiveCheck(const Manifest& manifest)
+  explicit AdaptiveExperimentCheck(const Manifest& manifest)
       : manifest_(manifest), adaptive_(*manifest.adaptive), list_(manifest.places) {}
 
   std::vector<Fault> faults() {
@@ -134,7 +134,7 @@ class AdaptiveCheck {
 }  // namespace
 
 std::vector<Fault> check_adaptive(const Manifest& manifest) {
-  return manifest.adaptive ? AdaptiveCheck(manifest).faults() : std::vector<Fault>();
+  return manifest.adaptive ? AdaptiveExperimentCheck(manifest).faults() : std::vector<Fault>();
 }
 
 }  // namespace mien::pipeline

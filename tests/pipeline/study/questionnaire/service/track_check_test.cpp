@@ -158,7 +158,7 @@ TEST(TracksOfRecords, StateALevelAndShowItsFilms) {
   EXPECT_EQ(page.refusal(text), "this trial has no levels");
   text = page.empty_record("ending");
   text["level"] = 0;
-  EXPECT_EQ(page.refusal(text), "this page has no levels");
+  EXPECT_EQ(page.refusal(text), "this page has no trial");
 }
 
 TEST(TracksOfRecords, AreSkippedWhereTheTrackHasEndedAndOnlyThere) {
