@@ -56,9 +56,10 @@ TEST_F(SteeredWords, BecomeFilmsAndAQuestionnaire) {
   const Ended made = run_mien({"run", prototypes, "--out", out});
   ASSERT_EQ(made.code, 0) << made.errors;
   EXPECT_TRUE(fs::exists(fs::path(out) / "steering-prototypes/videos/sad.mp4"));
-  const Ended rated =
-      run_mien({"study", "simulate", prototypes, "-o", (folder.path() / "ratings.csv").string()});
-  EXPECT_EQ(rated.code, 0) << rated.errors;
+  const Ended asked =
+      run_mien({"study", "design", prototypes, "-o", (folder.path() / "plans.csv").string()});
+  EXPECT_EQ(asked.code, 0) << asked.errors;
+  EXPECT_NE(asked.output.find("6 participants"), std::string::npos) << asked.output;
 }
 
 TEST_F(SteeredWords, AreAdjectivesOfManifests) {
