@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -105,6 +106,32 @@ TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
                                      "{mixed: 1, as-is: -1}}}]}\n")
           .string();
   refused({answers, planned, "-o", second}, "made");
+}
+
+/// Lines about new films.
+std::string new_films(const std::string& text) {
+  std::string lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find('\n', from), text.size());
+    const std::string line = text.substr(from, to - from);
+    if (line.find("id: round2-") != std::string::npos) lines += line + "\n";
+    from = to + 1;
+  }
+  return lines;
+}
+
+TEST(ShippedNextRound, IsWhatIsChosenFromTheAnswers) {
+  const Scratch folder;
+  const fs::path manifests = fs::path(MIEN_SOURCE_DIR) / "manifests";
+  const std::string written = (folder.path() / "next-round.yaml").string();
+  const Ended chosen =
+      run_mien({"study", "next", (manifests / "closed-loop-2.answers.csv").string(),
+                (manifests / "closed-loop-2.yaml").string(), "-o", written, "--films", "4",
+                "--study", "next-round"});
+  ASSERT_EQ(chosen.code, 0) << chosen.errors;
+  const std::string films = new_films(text_of(written));
+  EXPECT_NE(films, "");
+  EXPECT_EQ(films, new_films(text_of(manifests / "next-round.yaml")));
 }
 
 }  // namespace

@@ -152,6 +152,10 @@ Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
   const Adaptive& adaptive = *source.adaptive;
   for (const WordSamples& word : results.words)
     manifest.stimuli.push_back(prototype(manifest, adaptive.space.kind, study, word));
+  if (manifest.stimuli.size() > 1) {
+    Sheet& sheet = manifest.sheets.emplace_back();
+    for (const Stimulus& stimulus : manifest.stimuli) sheet.gallery.push_back(stimulus.id);
+  }
   Questionnaire& asked = manifest.questionnaire.emplace();
   asked.title = adaptive.title;
   asked.participants = adaptive.participants;
