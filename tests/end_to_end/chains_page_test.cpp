@@ -132,6 +132,29 @@ class ChainsPage : public LivePage {
     if (row.at("chose_proposal") == "1") point = proposal;
   }
 
+  /// What was done in each trial is what its row says.
+  void expect_chosen(const json& told) const {
+    const std::vector<Row> rows = by_trial(told);
+    const json dimensions = experiment().at("chains").at("dimensions");
+    ASSERT_EQ(told.at("chosen").size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double chosen = told.at("chosen").at(i);
+      const Row& row = rows[i];
+      if (row.at("dimension").empty()) {
+        const bool is_first = chosen == 1.0;
+        EXPECT_EQ(row.at("chose_proposal") == "1", is_first == (row.at("is_proposal_first") == "1"))
+            << i;
+        continue;
+      }
+      const double share = row.at("is_reversed") == "1" ? 1.0 - chosen : chosen;
+      for (const json& dimension : dimensions) {
+        if (dimension.at("name") != row.at("dimension")) continue;
+        const double low = dimension.at("low"), high = dimension.at("high");
+        EXPECT_NEAR(std::stod(row.at("value")), low + share * (high - low), 1e-9) << i;
+      }
+    }
+  }
+
   /// The program reads what the browser saved.
   void expect_results(const json& told) const {
     const auto steps = scratch.write("steps.csv", told.at("steps").get<std::string>());
@@ -147,6 +170,7 @@ TEST_F(ChainsPage, SlidersLeadTheirChainsWithoutAServer) {
   const json told = played("whole");
   EXPECT_EQ(told.at("requests"), 0);
   expect_planned(by_trial(told));
+  expect_chosen(told);
   expect_results(told);
   const auto people = rows_in(told.at("participant").get<std::string>());
   ASSERT_EQ(people.size(), 1U);
@@ -159,6 +183,7 @@ TEST_F(ChainsPage, ChoicesLeadTheirChainsWithoutAServer) {
   const json told = played("whole");
   const std::vector<Row> rows = by_trial(told);
   expect_planned(rows);
+  expect_chosen(told);
   for (const char* chosen : {"0", "1"})
     EXPECT_TRUE(std::ranges::any_of(rows, [&](const Row& row) {
       return row.at("chose_proposal") == chosen;
@@ -182,8 +207,11 @@ TEST_F(ChainsPage, IsTakenByKeyboardAloneAndByTouch) {
   for (const char* method : {gibbs, choices}) {
     use(method);
     if (!is_exported()) GTEST_SKIP() << no_browser_core;
-    expect_planned(by_trial(played("keys")));
-    expect_planned(by_trial(played("touch")));
+    for (const char* how : {"keys", "touch"}) {
+      const json told = played(how);
+      expect_planned(by_trial(told));
+      expect_chosen(told);
+    }
     std::filesystem::remove_all(folder());
   }
 }

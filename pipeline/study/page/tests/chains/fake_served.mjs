@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { openBrowser } from "../questionnaire/participant.mjs";
-import { chainExperiment, fakePage, sharedExperiment } from "./fake_page.mjs";
+import { chainExperiment, dimensions, fakePage, sharedExperiment } from "./fake_page.mjs";
 import { fakeServer } from "./fake_server.mjs";
 import { opener } from "./opened.mjs";
 import { take } from "./participant.mjs";
@@ -101,11 +101,23 @@ test("where all chains are complete, the session ends early", async () => {
   assert.match(text, /Thank you/);
 });
 
+/** The points of the motions that a step shows, from left to right. */
+function pointsShown({ point, dimension, start, proposal, proposal_first: isFirst }) {
+  if (dimension === undefined) return isFirst ? [proposal, point] : [point, proposal];
+  const { low, high } = dimensions[dimension];
+  const share = Math.round(1000 * start) / 1000;
+  return [point.map((one, d) => (d === dimension ? low + share * (high - low) : one))];
+}
+
 test("own chains outlive a reload behind a server, which sends no records back", async () => {
   for (const method of ["gibbs", "mcmc"]) {
     let reloads = 0;
+    const shown = {};
     const { records, asked } = await taken(chainExperiment(method), {}, async ({ page, reload }, seen) => {
-      if (seen !== "chains" || (await page.locator(".progress").textContent()) !== "5 of 12" || reloads) return false;
+      if (seen !== "chains") return false;
+      const place = await page.locator(".progress").textContent();
+      shown[place] = await page.evaluate((count) => globalThis.mienMade.slice(-count), method === "gibbs" ? 1 : 2);
+      if (place !== "5 of 12" || reloads) return false;
       reloads += 1;
       await reload();
       return true;
@@ -114,6 +126,8 @@ test("own chains outlive a reload behind a server, which sends no records back",
     assert.equal(reloads, 1);
     const made = (number) => records[`trial-${number}`].chain;
     assert.equal(made(7).attempt, 2);
+    for (let number = 3; number <= 14; number += 1)
+      assert.deepEqual(shown[`${number - 2} of 12`].map(({ values }) => values), pointsShown(made(number)));
     // Trials 3, 5 and 7 are steps of one chain.
     for (const [from, to] of [[3, 5], [5, 7]]) {
       const { point, dimension, value, proposal, chose_proposal: isChosen } = made(from);

@@ -1,6 +1,6 @@
 // Pages of experiments with chains that are open in a browser, with what they save and what the browser complains of.
 import { calmReload } from "../questionnaire/pages.mjs";
-import { downloadsOf } from "./participant.mjs";
+import { chosenOn, downloadsOf } from "./participant.mjs";
 
 export const desktop = { viewport: { width: 1280, height: 800 } };
 export const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
@@ -32,5 +32,5 @@ export const opener = (browser) => async (address, how = desktop) => {
 export async function withFiles({ page, saved, troubles, asked, posted }, more = {}) {
   const isServed = page.url().startsWith("http");
   for (let i = 0; !isServed && i < 100 && Object.keys(saved).length < 3; i += 1) await page.waitForTimeout(100);
-  return { ...saved, troubles, requests: asked.length, posted, ...more };
+  return { ...saved, troubles, requests: asked.length, posted, chosen: chosenOn(page), ...more };
 }

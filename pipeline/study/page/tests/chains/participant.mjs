@@ -35,12 +35,18 @@ function placeOf(count, standing) {
   return Math.abs(place - standing) > 0.1 ? place : place + (place > 0.5 ? -0.25 : 0.25);
 }
 
+/** What was chosen in each trial of a page: places of sliders, from 0 on the left, or numbers of figures. */
+const chosen = new WeakMap();
+export const chosenOn = (page) => chosen.get(page) ?? [];
+const note = (page, what) => chosen.set(page, [...chosenOn(page), what]);
+
 async function slide(page, how, count) {
   const slider = page.locator(".slider-control input");
   if (how === "keys") {
     await page.waitForFunction(() => document.activeElement?.matches(".slider-control input"));
     const key = Number(await slider.inputValue()) > 0.5 ? "ArrowLeft" : "ArrowRight";
     await withMotion(page, async () => { for (let i = 0; i <= count % 4; i += 1) await page.keyboard.press(key); });
+    note(page, Number(await slider.inputValue()));
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.activeElement?.matches(".slider-control .main"));
     return page.keyboard.press("Enter");
@@ -49,6 +55,7 @@ async function slide(page, how, count) {
   const place = placeOf(count, Number(await slider.inputValue()));
   const at = { x: box.x + place * box.width, y: box.y + box.height / 2 };
   await withMotion(page, () => (how === "touch" ? page.touchscreen.tap(at.x, at.y) : page.mouse.click(at.x, at.y)));
+  note(page, Number(await slider.inputValue()));
   await (how === "touch" ? page.locator(".slider-control .main").tap() : page.locator(".slider-control .main").click());
 }
 
@@ -56,6 +63,7 @@ async function slide(page, how, count) {
 async function choose(page, how, count) {
   await page.waitForTimeout(450);  // sooner, nothing is chosen
   const number = count % 3 === 0 ? 2 : 1;
+  note(page, number);
   if (how === "keys") return page.keyboard.press(String(number));
   const pick = page.locator(`[data-pick="${number}"]`);
   return how === "touch" ? pick.tap() : pick.click();
