@@ -120,8 +120,9 @@ double threshold_proportion(const AdaptiveTrialSettings& adaptive) {
 int adaptive_noise_trials(const Questionnaire& asked) {
   if (asked.trials == &two_interval_form) return 0;
   const AdaptiveTrialSettings& adaptive = asked.adaptive;
-  return static_cast<int>(
-      std::lround(adaptive.noise / (1.0 - adaptive.noise) * adaptive.tracks * adaptive.trials));
+  const double track_trials = 1.0 * adaptive.tracks * adaptive.trials;
+  return std::max(
+      1, static_cast<int>(std::lround(adaptive.noise / (1.0 - adaptive.noise) * track_trials)));
 }
 
 int adaptive_session_trials(const Questionnaire& asked) {

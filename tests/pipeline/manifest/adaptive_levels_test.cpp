@@ -74,6 +74,7 @@ TEST(AdaptiveLevels, NoiseIsAShareOfAllTrials) {
   EXPECT_EQ(adaptive_noise_trials(asked("yes_no", "trials: 40, tracks: 2")), 20);
   EXPECT_EQ(adaptive_session_trials(asked("yes_no", "trials: 40, tracks: 2")), 100);
   EXPECT_EQ(adaptive_noise_trials(asked("same_different", "trials: 30, noise: 0.5")), 30);
+  EXPECT_EQ(adaptive_noise_trials(asked("yes_no", "trials: 5, noise: 0.05")), 1) << "at least";
   EXPECT_EQ(adaptive_noise_trials(asked("two_interval", "trials: 40")), 0);
 }
 

@@ -61,6 +61,11 @@ TEST(ThresholdResults, FindTheStatedThresholdByQuest) {
     EXPECT_LE(one.quest_ends.low, one.quest_mean);
     EXPECT_GE(one.quest_ends.high, one.quest_mean);
     EXPECT_TRUE(std::isnan(one.reversal_mean));
+    if (one.fit.problem == FitProblem::step) {
+      EXPECT_DOUBLE_EQ(2.0 * one.threshold, one.fit.step.low + one.fit.step.high);
+      EXPECT_NE(threshold_remark(one).find("a step between two levels"), std::string::npos);
+      continue;
+    }
     EXPECT_EQ(one.fit.function.guess, 0.5);
     EXPECT_GT(one.slope, 0.0);
     EXPECT_GT(one.deviance_p, 0.0);

@@ -156,7 +156,7 @@ TEST(AnswerRow, IsReadFromTheFormerNameOfItsColumnWithAWarning) {
   EXPECT_EQ(to_csv(rows), now);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(to_string(warnings[0]),
-            "a.csv:1:130: is_catch: now called is_check; rename the column");
+            "a.csv:1:142: is_catch: now called is_check; rename the column");
   EXPECT_EQ(to_csv(answer_rows(parse_csv(former, "a.csv"))), now);
 }
 

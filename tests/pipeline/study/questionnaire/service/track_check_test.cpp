@@ -216,7 +216,7 @@ TEST(TracksOfRecords, BecomeRowsWithLevelAndTrack) {
 }
 
 TEST(ServedTracks, RefuseOtherLevelsAndTellTheAnswersAfterAReload) {
-  const TrackRecords page("yes_no", "factor: dose, trials: 5, noise: 0.05");
+  const TrackRecords page("yes_no", "factor: dose, trials: 5, noise: 0.3");
   mien::test::TemporaryFolder folder;
   SessionStore store(folder.path() / "answers.db");
   QuestionnaireService service(page.study(), store);
@@ -235,7 +235,7 @@ TEST(ServedTracks, RefuseOtherLevelsAndTellTheAnswersAfterAReload) {
   nlohmann::json consent = page.empty_record("consent");
   consent["responses"] = {{{"item", "consent"}, {"value_raw", "agreed"}}};
   ASSERT_EQ(give(consent).status, 200);
-  TrackRecords answering("yes_no", "factor: dose, trials: 5, noise: 0.05");
+  TrackRecords answering("yes_no", "factor: dose, trials: 5, noise: 0.3");
   const auto later = std::ranges::find(answering.plan().trials, 2, &Trial::number);
   EXPECT_EQ(give(answering.shown_record(*later, 0, "no")).status, 409) << "out of order";
   nlohmann::json answered = nlohmann::json::object();
