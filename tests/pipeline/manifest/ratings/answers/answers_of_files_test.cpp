@@ -45,7 +45,7 @@ TEST(AnswersOfFiles, TakesOnceWhatEarlierVersionsWrote) {
   ASSERT_EQ(all.warnings.size(), 1U);
   EXPECT_EQ(to_string(all.warnings[0]),
             (folder.path() / "former.csv").string() +
-                ":1:130: is_catch: now called is_check; rename the column");
+                ":1:142: is_catch: now called is_check; rename the column");
 }
 
 TEST(AnswersOfFiles, RefusesTwoAnswersThatDiffer) {

@@ -73,7 +73,7 @@ TEST(CountedAnswers, OfEarlierVersionsAreTheSameWithAWarning) {
   const Answers rated = parse_answers(former, "in/a.csv", questionnaire_scales());
   EXPECT_EQ(to_csv(rated), to_csv(parse_answers(now, "in/a.csv", questionnaire_scales())));
   ASSERT_EQ(rated.warnings.size(), 2u);
-  EXPECT_EQ(rated.warnings[0], "a.csv:1:130: " + warning);
+  EXPECT_EQ(rated.warnings[0], "a.csv:1:142: " + warning);
 
   const auto studied = [](const std::string& csv) {
     return study_answers(parse_csv(csv, "a.csv"), questionnaire_scales(),
