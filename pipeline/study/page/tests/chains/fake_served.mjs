@@ -4,11 +4,11 @@ import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { opener } from "../live/opened.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
 import { chainExperiment, dimensions, fakePage, sharedExperiment } from "./fake_page.mjs";
 import { fakeServer } from "./fake_server.mjs";
-import { opener } from "./opened.mjs";
-import { take } from "./participant.mjs";
+import { downloadsOf, take } from "./participant.mjs";
 
 let browser;
 let folder;
@@ -25,7 +25,7 @@ after(async () => {
 async function taken(experiment, how, each) {
   await fakePage(folder, experiment);
   const server = await fakeServer(folder, experiment, how);
-  const opened = await opener(browser)(`${server.base}/index.html`);
+  const opened = await opener(browser, downloadsOf)(`${server.base}/index.html`);
   try {
     await take(opened.page, { each: (seen, title) => each(opened, seen, title) });
     return { ...server, text: await opened.page.locator("main").innerText() };
@@ -141,7 +141,7 @@ test("whoever withdraws leaves nothing of the chains in the browser", async () =
   const experiment = chainExperiment("gibbs");
   await fakePage(folder, experiment);
   const server = await fakeServer(folder, experiment);
-  const { page } = await opener(browser)(`${server.base}/index.html`);
+  const { page } = await opener(browser, downloadsOf)(`${server.base}/index.html`);
   const kept = () => page.evaluate(() => Object.keys(localStorage).filter((key) => /chains|begun/.test(key)).length);
   class Enough extends Error {}
   await assert.rejects(take(page, { each: async (seen) => {

@@ -3,10 +3,10 @@
 // moves the slider of each of the first three trials CHANGES (25) times, and prints a line a trial: milliseconds from
 // the slider's event to the end of the frame that shows the motion.
 import { resolve } from "node:path";
+import { desktop, opener } from "../live/opened.mjs";
 import { sliderLatencies, summaryOf } from "../live/slider_latency.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
-import { desktop, opener } from "./opened.mjs";
-import { take } from "./participant.mjs";
+import { downloadsOf, take } from "./participant.mjs";
 
 const [given, changes = "25"] = process.argv.slice(2);
 const address = given.startsWith("http") ? given : `file://${resolve(given)}/index.html`;
@@ -14,7 +14,7 @@ const address = given.startsWith("http") ? given : `file://${resolve(given)}/ind
 class Enough extends Error {}
 
 const browser = await openBrowser();
-const { page } = await opener(browser)(address, desktop);
+const { page } = await opener(browser, downloadsOf)(address, desktop);
 let trials = 0;
 try {
   await take(page, { each: async (seen) => {

@@ -1,49 +1,40 @@
 // Participants of an experiment with chains in a real browser.
 //   node scenarios.mjs NAME FOLDER-OR-ADDRESS [PICTURES]
 // prints what came of it as JSON: the files that were saved, and whatever the browser complained of.
-import { readdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { filesOfZip, serve } from "../http_server.mjs";
+import { desktop, opener, phone, withFiles } from "../live/opened.mjs";
+import { accessibilityOf, picturesIn } from "../live/seen.mjs";
 import { jatosScript } from "../questionnaire/jatos_script.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
-import { desktop, opener, phone, withFiles } from "./opened.mjs";
-import { take } from "./participant.mjs";
+import { chosenOn, downloadsOf, take } from "./participant.mjs";
 
 const [name, given, pictures] = process.argv.slice(2);
 const address = given.startsWith("http") ? given : `file://${resolve(given)}/index.html`;
 
 const browser = await openBrowser();
-const open = opener(browser);
-
-/** Pictures of every page and trial, where a folder for them is given. */
-const withPictures = (page, begin) => {
-  let shots = 0;
-  return async (seen) => {
-    if (pictures)
-      await page.screenshot({ path: join(pictures, `${begin}-${String(shots++).padStart(2, "0")}-${seen}.png`) });
-    return false;
-  };
-};
+const open = opener(browser, downloadsOf);
+const allOf = (opened) => withFiles(opened, 3, { chosen: chosenOn(opened.page) });
 
 async function whole() {
   const opened = await open(address);
-  await take(opened.page, { each: withPictures(opened.page, "desktop") });
-  return withFiles(opened);
+  await take(opened.page, { each: picturesIn(pictures, opened.page, "desktop") });
+  return allOf(opened);
 }
 
 async function keys() {
   const opened = await open(address);
   await opened.page.mouse.move(0, 0);
   await take(opened.page, { how: "keys" });
-  return withFiles(opened);
+  return allOf(opened);
 }
 
 /** By touch on a narrow screen. */
 async function touch() {
   const opened = await open(address, phone);
-  await take(opened.page, { how: "touch", each: withPictures(opened.page, "phone") });
-  return withFiles(opened);
+  await take(opened.page, { how: "touch", each: picturesIn(pictures, opened.page, "phone") });
+  return allOf(opened);
 }
 
 /** Reloads the fourth trial after its slider was moved or, where there is none, as it is shown. */
@@ -60,7 +51,7 @@ async function reload() {
   const opened = await open(address);
   const state = { trials: 0 };
   await take(opened.page, { each: (seen) => reloadFourth(opened.page, opened.reload, seen, state) });
-  return withFiles(opened);
+  return allOf(opened);
 }
 
 /** As JATOS shows the study that it unpacked, with a reload on the way. */
@@ -84,24 +75,9 @@ async function refusedPhone() {
   return { text: await page.locator("main").innerText(), buttons: await page.locator(".button").count(), troubles };
 }
 
-/** Faults of accessibility on every page and in every trial, as wide as a laptop and as a phone. */
-async function accessibility() {
-  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  const faults = [];
-  let checked = 0;
-  for (const how of [desktop, { viewport: phone.viewport }]) {
-    const { page } = await open(address, { ...how, bypassCSP: true });
-    await take(page, { each: async (seen, title) => {
-      if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
-      const { violations } = await page.evaluate(() => window.axe.run());
-      checked += 1;
-      for (const { id, impact, nodes } of violations)
-        faults.push(`${impact} ${id} on ${title} (${seen}): ${nodes[0].html.slice(0, 120)}`);
-      return false;
-    } });
-  }
-  return { faults: [...new Set(faults)], checked };
-}
+/** As wide as a laptop and as a phone. */
+const accessibility = () =>
+  accessibilityOf([desktop, { viewport: phone.viewport }], (how) => open(address, how), take);
 
 const scenarios = { whole, keys, touch, reload, jatos, refused_phone: refusedPhone, accessibility };
 try {

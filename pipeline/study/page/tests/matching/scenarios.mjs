@@ -1,66 +1,32 @@
 // Participants of a matching experiment in a real browser.
 //   node scenarios.mjs NAME FOLDER-OR-ADDRESS [PICTURES]
 // prints what came of it as JSON: the files that were saved, and whatever the browser complained of.
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { join, resolve } from "node:path";
-import { calmReload } from "../questionnaire/pages.mjs";
+import { resolve } from "node:path";
+import { opener, phone, withFiles } from "../live/opened.mjs";
+import { accessibilityOf, picturesIn } from "../live/seen.mjs";
 import { openBrowser } from "../questionnaire/participant.mjs";
 import { downloadsOf, take } from "./participant.mjs";
 
 const [name, given, pictures] = process.argv.slice(2);
 const address = given.startsWith("http") ? given : `file://${resolve(given)}/index.html`;
-const isServed = given.startsWith("http");
 const desktop = { viewport: { width: 1366, height: 768 } };
-const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
-  hasTouch: true, isMobile: true };
 
 const browser = await openBrowser();
 
-async function open(how = desktop) {
-  const context = await browser.newContext({ acceptDownloads: true, ...how });
-  const page = await context.newPage();
-  const troubles = [];
-  const asked = [];
-  const posted = {};
-  page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
-  page.on("pageerror", (error) => troubles.push(error.message));
-  page.on("request", (request) => {
-    if (/^http/.test(request.url())) asked.push(request.url());
-    if (/\/records\//.test(request.url())) posted[request.url().split("/").pop()] = request.postDataJSON();
-  });
-  const saved = downloadsOf(page);
-  const reloadPage = calmReload(page);
-  await page.goto(address);
-  return { page, troubles, saved, asked, posted, reloadPage };
-}
-
-/** Until all four files are there; a server has what it was given. */
-async function withFiles({ page, saved, troubles, asked, posted }, more = {}) {
-  for (let i = 0; !isServed && i < 100 && Object.keys(saved).length < 4; i += 1) await page.waitForTimeout(100);
-  return { ...saved, troubles, requests: asked.length, posted, ...more };
-}
-
-/** Pictures of every page and step, where a folder for them is given. */
-const withPictures = (page, begin) => {
-  let shots = 0;
-  return async (seen) => {
-    if (pictures && seen !== "matching")
-      await page.screenshot({ path: join(pictures, `${begin}-${String(shots++).padStart(2, "0")}-${seen}.png`) });
-    return false;
-  };
-};
+const openFor = opener(browser, downloadsOf);
+const open = (how = desktop) => openFor(address, how);
+const allOf = (opened, more) => withFiles(opened, 4, more);
 
 async function whole() {
   const opened = await open();
-  await take(opened.page, { each: withPictures(opened.page, "desktop") });
-  return withFiles(opened);
+  await take(opened.page, { each: picturesIn(pictures, opened.page, "desktop", "matching") });
+  return allOf(opened);
 }
 
 async function keys() {
   const opened = await open();
   await take(opened.page, { by_keys: true });
-  return withFiles(opened);
+  return allOf(opened);
 }
 
 /** A reload in the first trial, while its clock runs. */
@@ -73,10 +39,10 @@ async function reload() {
     await page.locator(".control .main:visible").click();
     await page.waitForFunction(() => document.querySelector(".matching").dataset.step !== "guess");
     reloads += 1;
-    await opened.reloadPage();
+    await opened.reload();
     return true;
   } });
-  return withFiles(opened, { reloads });
+  return allOf(opened, { reloads });
 }
 
 /**
@@ -90,11 +56,11 @@ async function guessesFirst() {
   const shows = [];
   const reload = async () => {
     story.push("reload");
-    await opened.reloadPage();
+    await opened.reload();
     return true;
   };
   page.on("request", (request) => { if (/\/live\/make$/.test(request.url())) story.push("make"); });
-  const withPicture = withPictures(page, "guesses");
+  const withPicture = picturesIn(pictures, page, "guesses", "matching");
   const film = () => page.locator(".examples-film .example-name").textContent();
   const look = () => page.evaluate(() => {
     const { step, interface: kind } = document.querySelector(".matching").dataset;
@@ -122,7 +88,7 @@ async function guessesFirst() {
     } else if (count("reload") === 1) return reload();
     return false;
   } });
-  return withFiles(opened, { story, shows, film: name });
+  return allOf(opened, { story, shows, film: name });
 }
 
 /** On a phone's screen: what is told there, or the whole of it where phones are served. */
@@ -130,28 +96,12 @@ async function onPhone() {
   const opened = await open(phone);
   const text = await opened.page.locator("main").innerText();
   const isTold = (await opened.page.locator(".button").count()) === 0;
-  if (!isTold) await take(opened.page, { each: withPictures(opened.page, "phone") });
-  return withFiles(opened, { text, is_told: isTold });
+  if (!isTold) await take(opened.page, { each: picturesIn(pictures, opened.page, "phone", "matching") });
+  return allOf(opened, { text, is_told: isTold });
 }
 
-/** Faults of accessibility on every page and in every step, as wide as a laptop and as a phone. */
-async function accessibility() {
-  const script = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-  const faults = [];
-  let checked = 0;
-  for (const how of [desktop, { viewport: phone.viewport }]) {
-    const { page } = await open({ ...how, bypassCSP: true });
-    await take(page, { each: async (seen, title) => {
-      if (!(await page.evaluate(() => !!window.axe))) await page.evaluate(script);
-      const { violations } = await page.evaluate(() => window.axe.run());
-      checked += 1;
-      for (const { id, impact, nodes } of violations)
-        faults.push(`${impact} ${id} on ${title} (${seen}): ${nodes[0].html.slice(0, 120)}`);
-      return false;
-    } });
-  }
-  return { faults: [...new Set(faults)], checked };
-}
+/** As wide as a laptop and as a phone. */
+const accessibility = () => accessibilityOf([desktop, { viewport: phone.viewport }], open, take);
 
 const scenarios = { whole, keys, reload, guesses_first: guessesFirst, on_phone: onPhone, accessibility };
 try {

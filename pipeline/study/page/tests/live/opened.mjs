@@ -1,6 +1,6 @@
-// Pages of experiments with chains that are open in a browser, with what they save and what the browser complains of.
+// Pages of experiments with live motions that are open in a browser, with what they save and what the browser complains
+// of.
 import { calmReload } from "../questionnaire/pages.mjs";
-import { chosenOn, downloadsOf } from "./participant.mjs";
 
 export const desktop = { viewport: { width: 1280, height: 800 } };
 export const phone = { viewport: { width: 390, height: 844 }, screen: { width: 390, height: 844 },
@@ -9,8 +9,8 @@ export const phone = { viewport: { width: 390, height: 844 }, screen: { width: 3
 /** A server may answer that it has no step, which browsers call an error. */
 const isAnswer = (message) => /\/step\/trial-\d+$/.test(message.location().url);
 
-/** Opens pages, each for somebody else. */
-export const opener = (browser) => async (address, how = desktop) => {
+/** Opens pages, each for somebody else; `downloadsOf` collects what they save. */
+export const opener = (browser, downloadsOf) => async (address, how = desktop) => {
   const context = await browser.newContext({ acceptDownloads: true, ...how });
   const page = await context.newPage();
   const troubles = [];
@@ -28,9 +28,9 @@ export const opener = (browser) => async (address, how = desktop) => {
   return { page, troubles, saved, asked, posted, reload };
 };
 
-/** Until all three files are there; a server has what it was given. */
-export async function withFiles({ page, saved, troubles, asked, posted }, more = {}) {
+/** Until so many files are there; a server has what it was given. */
+export async function withFiles({ page, saved, troubles, asked, posted }, count, more = {}) {
   const isServed = page.url().startsWith("http");
-  for (let i = 0; !isServed && i < 100 && Object.keys(saved).length < 3; i += 1) await page.waitForTimeout(100);
-  return { ...saved, troubles, requests: asked.length, posted, chosen: chosenOn(page), ...more };
+  for (let i = 0; !isServed && i < 100 && Object.keys(saved).length < count; i += 1) await page.waitForTimeout(100);
+  return { ...saved, troubles, requests: asked.length, posted, ...more };
 }
