@@ -167,6 +167,13 @@ void write_named_files(const Page& page, const PageFolder& folder) {
       "./mien study analyze answers.csv --examples builtin:walks-27 -o analysis\n"
       "[ ! -e my.scales.yaml ] || ./mien study simulate --examples 'captures/*walk*.bvh' "
       "--scales my.scales.yaml -o answers.csv");
+  const auto names_chains = [](const PageBlock& block) {
+    return block.text.find("chains/words.ratings.csv") != std::string::npos;
+  };
+  if (std::ranges::any_of(page.blocks, names_chains))
+    folder.run(
+        "./mien study simulate gibbs-words -o steps.csv\n"
+        "./mien study chains gibbs-words steps.csv -o chains");
 }
 
 /// Writes a block as a file that can be checked, and gives its name.

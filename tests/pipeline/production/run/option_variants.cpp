@@ -115,14 +115,20 @@ constexpr char with_matching[] =
 constexpr char with_adaptive[] =
     R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}}})";
 
+constexpr char with_languages[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": {"sad": {"en": "sad", "ja": "悲しい"}}, "space": {"groups": "all"}}})";
+
+constexpr char without_space[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"]}})";
+
 constexpr char with_choices[] =
     R"({"adaptive": {"participants": 4, "method": "mcmc", "words": ["sad"], "space": {"groups": "all"}}})";
 
 constexpr char with_shared_chains[] =
-    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true}})";
+    R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true}})";
 
 constexpr char with_shared_steps[] =
-    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "people_per_step": 2}})";
+    R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "people_per_step": 2}})";
 
 const Surroundings surroundings[] = {
     {"stimuli[].audio.file", with_sounds, R"({"length": "cut"})"},
@@ -158,14 +164,6 @@ const Surroundings surroundings[] = {
     {"modify.constraints[].look_at", "{}", "{}"},
     {"modify.constraints[].within.", "{}", "{}"},
     {"modify.constraints[].", "{}", R"({"part": "left-hand"})"},
-    {"adaptive.demographics[].", with_adaptive,
-     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
-    {"adaptive.deviation", with_choices, "{}"},
-    {"adaptive.trials_per_participant", with_shared_chains, "{}"},
-    {"adaptive.answer_within_s", with_shared_chains, "{}"},
-    {"adaptive.people_per_step", with_shared_chains, "{}"},
-    {"adaptive.aggregate", with_shared_steps, "{}"},
-    {"adaptive", with_adaptive, "{}"},
     {"matching.demographics[].", with_matching,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"matching", with_matching, "{}"},
@@ -210,6 +208,16 @@ const Surroundings surroundings[] = {
     {"questionnaire.adaptive.step.", with_staircase, "{}"},
     {"questionnaire.adaptive.", with_staircase, "{}"},
     {"questionnaire.adaptive", with_staircase, "{}"},
+    {"adaptive.demographics[].", with_adaptive,
+     R"({"id": "age", "ask": "How old?", "answer": "text"})"},
+    {"adaptive.language.browser", with_languages, "{}"},
+    {"adaptive.space.", without_space, "{}"},
+    {"adaptive.deviation", with_choices, "{}"},
+    {"adaptive.trials_per_participant", with_shared_chains, "{}"},
+    {"adaptive.answer_within_s", with_shared_chains, "{}"},
+    {"adaptive.people_per_step", with_shared_chains, "{}"},
+    {"adaptive.aggregate", with_shared_steps, "{}"},
+    {"adaptive", with_adaptive, "{}"},
     {"questionnaire.continuous.", with_continuous, "{}"},
     {"questionnaire.continuous", with_continuous, "{}"},
     {"questionnaire.analysis.lag", with_continuous, "{}"},
