@@ -223,7 +223,10 @@ std::vector<Fault> check_stimuli(const Manifest& manifest) {
   FaultList list(manifest.places);
   check_shared_interpolation(manifest, list);
   check_limits(manifest.regression, "", list);
-  if (manifest.stimuli.empty() && !manifest.adaptive && !manifest.places.values.contains("stimuli"))
+  // What is no map at all has been reported.
+  const bool is_map = manifest.places.values.size() > 1;
+  if (is_map && manifest.stimuli.empty() && !manifest.adaptive &&
+      !manifest.places.values.contains("stimuli"))
     list.add("stimuli", "missing",
              "add it, for example stimuli: [{id: happy-quick, adjectives: {quickness: 0.8}}]");
   for (const Stimulus& stimulus : manifest.stimuli) check_stimulus(stimulus, manifest, list);

@@ -67,7 +67,7 @@ TEST_F(RestrictedMotions, AreSentByMatchingExperiments) {
   const std::vector<std::string> lines =
       told("matching: {participants: 2, targets: [free, lent]}\n");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NE(lines[0].find("\"lent.bvh\", but a matching"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("\"lent.bvh\", but the experiment"), std::string::npos) << lines[0];
 }
 
 }  // namespace
