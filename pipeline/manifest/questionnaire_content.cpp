@@ -40,6 +40,9 @@ const Questionnaire& questionnaire_of(const Manifest& manifest) {
 
 const Adaptive& adaptive_of(const Manifest& manifest) {
   if (manifest.adaptive) return *manifest.adaptive;
+  if (manifest.questionnaire && !manifest.questionnaire->adaptive.factor.empty())
+    throw Error(manifest.file.string() + " has adaptive trials but no adaptive experiment",
+                "analyse its answers with mien study report");
   throw Error(manifest.file.string() + " has no adaptive experiment",
               "add adaptive: {participants: …, method: gibbs, words: […], space: {groups: all}}");
 }

@@ -11,6 +11,7 @@
 #include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/study/answer_inputs.h"
 #include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
@@ -27,9 +28,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char prototypes_comment[] = "# Prototypes of words, made by mien study chains";
+
 struct ChainsCommand {
-  std::string manifest;
-  std::vector<std::string> files;
+  std::vector<std::string> files;  ///< answers, and the manifest
   std::string out;
   int discarded = -1;
 };
@@ -49,15 +51,17 @@ void show(const ChainResults& results, const Console& console) {
       const DimensionSamples& of = word.dimensions[d];
       const bool has_ends = std::isfinite(of.mean.ends.low);
       console.out << fmt::format(
-          "  {:28} {:.3f} {:16} SD {:.3f}  R̂ {}\n", results.design.dimensions[d], of.mean.mean,
+          "  {:28} {:.3f} {:16} SD {:5}  R̂ {}\n", results.design.dimensions[d], of.mean.mean,
           has_ends ? fmt::format("[{:.3f}, {:.3f}]", of.mean.ends.low, of.mean.ends.high) : "",
-          of.deviation, number_text(of.r_hat, "{:.2f}"));
+          number_text(of.deviation, "{:.3f}"), number_text(of.r_hat, "{:.2f}"));
     }
   }
   for (const WordDistance& one : results.distances)
-    console.out << fmt::format("{} and {}: {:.2f} of the ranges apart ({} standard deviations)\n",
-                               one.first, one.second, one.distance,
-                               number_text(one.standardised, "{:.1f}"));
+    console.out << fmt::format("{} and {}: {:.2f} of the ranges apart{}\n", one.first, one.second,
+                               one.distance,
+                               std::isfinite(one.standardised)
+                                   ? fmt::format(" ({:.1f} standard deviations)", one.standardised)
+                                   : "");
 }
 
 /// What may make results useless, on standard error.
@@ -86,26 +90,36 @@ std::vector<NewTable> prototype_files(const Manifest& manifest, const ChainStudy
       "The words of an adaptive experiment as scales, made by mien study chains";
   Manifest prototypes =
       prototype_manifest(manifest, study, results, fs::absolute(folder / "words.scales.yaml"));
-  std::string comment = "# Prototypes of words, made by mien study chains";
+  std::string comment = prototypes_comment;
   comment += results.simulated ? " from simulated answers.\n" : ".\n";
   return {{folder / "words.scales.yaml", to_yaml(scales, head)},
           {folder / "words.ratings.csv", word_ratings_csv(study, results, scales)},
           {folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)}};
 }
 
+/// Throws Error for a folder with files that an earlier analysis has not written.
+void refuse_other_folder(const fs::path& folder) {
+  if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) return;
+  const fs::path mark = folder / "prototypes.yaml";
+  const bool is_ours = fs::is_regular_file(mark) && read_file(mark).starts_with(prototypes_comment);
+  if (!is_ours)
+    throw Error({folder.string()}, "exists and has no results of chains",
+                "name a new or empty folder");
+}
+
 int analyse_chains(const ChainsCommand& command, const Console& console) {
-  const Manifest manifest = participants_manifest(command.manifest, console);
+  const AnswerInputs inputs = answer_inputs(command.files);
+  const Manifest manifest = participants_manifest(inputs.manifest.string(), console);
   const Adaptive& adaptive = adaptive_of(manifest);
   Motions motions(manifest);
   const ChainStudy study = chain_study(manifest, motions);
-  const ChainAnswers answers =
-      read_chain_answers({command.files.begin(), command.files.end()}, study);
+  const ChainAnswers answers = read_chain_answers(inputs.answers, study);
   const ChainResults results = chain_results(
       study, answers,
       {.discarded = command.discarded, .across_participants = adaptive.across_participants});
   const fs::path folder = command.out;
   const std::vector<NewTable> files = prototype_files(manifest, study, results, folder);
-  refuse_data_loss(files, {command.files.begin(), command.files.end()});
+  refuse_other_folder(folder);
   make_folder(folder);
   write_tables(folder, chain_tables(results));
   write_plot(chains_plot(results), folder, "chains");
@@ -121,31 +135,32 @@ int analyse_chains(const ChainsCommand& command, const Console& console) {
 
 Command study_chains_command() {
   const auto options = std::make_shared<ChainsCommand>();
-  return {.name = "chains",
-          .summary =
-              "Analyse an adaptive experiment: what each word looks like, and whether chains "
-              "agree",
-          .options =
-              {argument("manifest", &options->manifest, study_manifest_help),
-               argument("steps", &options->files, "Answers: one table of steps (CSV) or several"),
-               option("-o,--output", &options->out, "Folder for the results").required(),
-               option("--discard", &options->discarded,
+  return {
+      .name = "chains",
+      .summary =
+          "Analyse an adaptive experiment: what each word looks like, and whether chains "
+          "agree",
+      .options = {argument("files", &options->files,
+                           "Answers (tables of steps, CSV), and the study's manifest"),
+                  option("-o,--output", &options->out, "Folder for the results").required(),
+                  option(
+                      "--discard", &options->discarded,
                       "Sweeps (of choices: steps) at the beginning of each chain that are not used "
                       "as samples (default: the first half)")
-                   .between(0, 1000)},
-          .notes =
-              "Writes samples.csv, prototypes.csv and distances.csv with a codebook, the figures "
-              "chains and prototypes\n"
-              "as .pdf, .svg and .png, and what manifests take: words.scales.yaml and "
-              "words.ratings.csv for examples, so\n"
-              "that stimuli can have adjectives: {sad: 0.8}, and prototypes.yaml, which makes a "
-              "film of each word and\n"
-              "asks for ratings of them.\n\n"
-              "Examples:\n"
-              "  mien study simulate gibbs-words -o steps.csv\n"
-              "  mien study chains gibbs-words steps.csv -o chains\n"
-              "  mien run chains/prototypes.yaml",
-          .run = [options](const Console& console) { return analyse_chains(*options, console); }};
+                      .between(0, 1000)},
+      .notes =
+          "Writes samples.csv, prototypes.csv and distances.csv with a codebook, the figures "
+          "chains and prototypes\n"
+          "as .pdf, .svg and .png, and what manifests take: words.scales.yaml and "
+          "words.ratings.csv for examples, so\n"
+          "that stimuli can have adjectives: {sad: 0.8}, and prototypes.yaml, which makes a "
+          "film of each word and\n"
+          "asks for ratings of them.\n\n"
+          "Examples:\n"
+          "  mien study simulate gibbs-words -o steps.csv\n"
+          "  mien study chains gibbs-words steps.csv -o chains\n"
+          "  mien run chains/prototypes.yaml",
+      .run = [options](const Console& console) { return analyse_chains(*options, console); }};
 }
 
 }  // namespace mien::pipeline

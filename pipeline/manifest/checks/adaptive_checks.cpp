@@ -62,6 +62,10 @@ class AdaptiveExperimentCheck {
     const std::vector<std::string> known = known_dimensions(manifest_, space.kind);
     if (space.kind == Kind::groups && known.empty())
       list_.add(path, "the study's scales have no groups", "name scales: {scales: […]}");
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < space.names.size(); ++i)
+      if (!taken.insert(space.names[i]).second)
+        list_.add(element_path(path, i), space.names[i] + " appears twice", "name it once");
     // Examples of a missing folder are not known.
     if (!known.empty())
       for (std::size_t i = 0; i < space.names.size(); ++i)

@@ -13,6 +13,9 @@ namespace mien::pipeline {
 namespace {
 
 void describe_program(MethodsText& out) {
+  if (out.manifest.stimuli.empty())
+    return out.say(fmt::format("Motions were made with mien {} [@mien] (random seed {})",
+                               program_version(), out.manifest.seed));
   out.say(fmt::format("The {} made with mien {} [@mien] (random seed {})",
                       count_of(out.manifest.stimuli.size(), "stimulus was", "stimuli were"),
                       program_version(), out.manifest.seed));
@@ -75,7 +78,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   MethodsText out(manifest, motions);
   describe_program(out);
   describe_design(out);
-  if (uses_examples(manifest)) describe_examples(out);
+  if (uses_examples(manifest) || manifest.adaptive) describe_examples(out);
   describe_blends(out);
   describe_files(out);
   describe_paths(out);
@@ -84,7 +87,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   describe_matching_settings(out);
   describe_adaptive(out);
   out.end_paragraph();
-  describe_pictures(out);
+  if (!manifest.stimuli.empty()) describe_pictures(out);
   out.end_paragraph();
   if (manifest.questionnaire) describe_questionnaire(out);
   out.end_paragraph();

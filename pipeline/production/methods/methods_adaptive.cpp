@@ -55,19 +55,18 @@ void describe_mcmc(MethodsText& out, const Adaptive& adaptive) {
 void describe_chains(MethodsText& out, const Adaptive& adaptive) {
   const std::string chains =
       adaptive.chains == 1 ? "one chain" : fmt::format("{} chains", adaptive.chains);
+  const std::string were =
+      adaptive.chains == 1 ? "was one chain" : fmt::format("were {} chains", adaptive.chains);
   if (!adaptive.across_participants) {
     out.say(fmt::format("Each participant had {} for every word", chains));
   } else if (adaptive.people_per_step == 1) {
-    out.say(
-        fmt::format("For every word there was {}, whose steps were answered by the participants "
-                    "in turn",
-                    chains));
+    out.say(fmt::format(
+        "For every word there {}, whose steps were answered by the participants in turn", were));
   } else {
     out.say(fmt::format(
-        "For every word there was {}; each step was answered by {} participants, and the {} of "
-        "their "
+        "For every word there {}; each step was answered by {} participants, and the {} of their "
         "answers was the next value",
-        chains, adaptive.people_per_step, word_of(step_aggregate_words, adaptive.aggregate)));
+        were, adaptive.people_per_step, word_of(step_aggregate_words, adaptive.aggregate)));
   }
 }
 
@@ -87,6 +86,17 @@ void describe_adaptive(MethodsText& out) {
               ? "Chains started at random points of the ranges, 0.01 to 1"
               : "The ranges were those of the examples, and chains started at random blends of "
                 "three examples");
+  const std::size_t trials = adaptive.across_participants
+                                 ? static_cast<std::size_t>(adaptive.trials_per_participant)
+                                 : adaptive.words.size() *
+                                       static_cast<std::size_t>(adaptive.chains) *
+                                       static_cast<std::size_t>(chain_steps(out.manifest));
+  out.say(fmt::format("The planned number of participants was {}, with {}{} each",
+                      adaptive.participants, adaptive.across_participants ? "up to " : "",
+                      count_of(trials, "trial", "trials")));
+  if (adaptive.language.offered.size() > 1)
+    out.say(fmt::format("The pages were in {} languages ({}), as the browser preferred",
+                        adaptive.language.offered.size(), listed(adaptive.language.offered)));
   if (adaptive.practice > 0)
     out.say(fmt::format("{} practice {} came first", adaptive.practice,
                         adaptive.practice == 1 ? "trial" : "trials"));

@@ -39,7 +39,8 @@ class AnswerReader {
   std::optional<ReadAnswer> read(const std::vector<CsvField>& row) {
     row_ = &row;
     const std::size_t before = faults_.size();
-    check_design();
+    // Answers to another experiment have this fault alone, once.
+    if (!check_design()) return std::nullopt;
     ReadAnswer read{.place = place_of(table_, row.front())};
     ChainAnswer& of = read.of;
     of.participant = field("participant").text;
@@ -69,12 +70,14 @@ class AnswerReader {
     faults_.push_back({place_of(table_, field(column)), "", wrong, remedy});
   }
 
-  void check_design() {
+  bool check_design() {
     const std::string& design = field("design").text;
-    if (design != wanted_design_)
+    if (design == wanted_design_) return true;
+    if (!has_other_design_)
       add("design", in_quotes(design) + " is not the design of this manifest",
-          "pass the manifest, unchanged, with which the experiment was run, and as many "
-          "participants");
+          "pass the manifest, unchanged, with which the experiment was run");
+    has_other_design_ = true;
+    return false;
   }
 
   bool truth(const std::string& column) {
@@ -141,6 +144,7 @@ class AnswerReader {
   const CsvTable& table_;
   const ChainDesign& design_;
   std::string wanted_design_;
+  bool has_other_design_ = false;
   std::vector<Fault>& faults_;
   std::map<std::string, int> columns_;
   const std::vector<CsvField>* row_ = nullptr;
@@ -158,8 +162,7 @@ class PathReplay {
   PathReplay(const ChainStudy& study, const ChainName& name, std::vector<Fault>& faults)
       : design_(study.design), faults_(faults), path_{.name = name} {
     // Participants of the open link follow the plans of others.
-    if (name.participant.empty())
-      starts_.push_back(chain_start(design_, study.dimensions.at_examples, name));
+    starts_.push_back(chain_start(design_, study.dimensions.at_examples, name));
     for (const ChainSession& session : study.sessions)
       if (const auto start = session.starts.find(name.key()); start != session.starts.end())
         starts_.push_back(start->second);

@@ -101,10 +101,14 @@ Plot chains_plot(const ChainResults& results) {
   const double width =
       std::max(2.0 * margin + names_width + dimensions * (panel_width + panel_gap), 420.0);
   const double height = 2.0 * margin + header + 16.0 + words * (panel_height + panel_gap) + 14.0;
-  return {"Chains", width, height, [&results, width](Canvas& canvas) {
+  const char* unit =
+      results.design.method == ChainMethod::gibbs ? "Points by sweep" : "Points by choice";
+  return {"Chains", width, height, [&results, width, unit](Canvas& canvas) {
             draw_header(canvas, results, "Chains",
-                        fmt::format("Points by sweep; grey: the first {}, which are not used",
-                                    results.discarded),
+                        results.discarded == 0
+                            ? std::string(unit)
+                            : fmt::format("{}; grey: the first {}, which are not used", unit,
+                                          results.discarded),
                         width);
             const double top = margin + header + 16.0;
             for (std::size_t d = 0; d < results.design.dimensions.size(); ++d) {

@@ -169,7 +169,11 @@ ordered_json experiment_of(const Manifest& manifest, const ChainStudy& study) {
   };
   ordered_json experiment = in(adaptive.language.first());
   add_languages(experiment, adaptive.language, adaptive.texts, in);
+  // Further participants do not change the design.
+  const ordered_json sessions = std::move(experiment["sessions"]);
+  experiment.erase("sessions");
   experiment["design"] = hash_of(experiment.dump());
+  experiment["sessions"] = sessions;
   return experiment;
 }
 
@@ -229,8 +233,9 @@ ServedStudy served_chains(ChainStudy study, const std::filesystem::path& pages) 
                      .plans = study.plans(),
                      .page = served_page(pages)};
   served.facts = questionnaire_facts(served.experiment);
-  // The motions are part of the study's identity.
-  served.facts.sha256["motions"] = hash_of(to_bytes(study.bundle));
+  // The motions are part of the study's identity, and so is the number of participants.
+  served.facts.sha256["motions"] =
+      hash_of(to_bytes(study.bundle) + std::to_string(study.sessions.size()));
   served.live = std::make_unique<LiveMotions>(std::move(study.bundle));
   return served;
 }

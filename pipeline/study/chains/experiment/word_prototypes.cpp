@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -85,6 +86,31 @@ Stimulus prototype(const Manifest& manifest, Kind kind, const ChainStudy& study,
   return stimulus;
 }
 
+/// "not sad" in the languages of the built-in texts; with a minus sign in others.
+std::string negated(const std::string& language, const std::string& word) {
+  if (language == "ja") return word + "とは言えない";
+  if (language == "zh") return "不" + word;
+  static const std::map<std::string, std::string> negations = {{"en", "not "}, {"de", "nicht "},
+                                                               {"fr", "pas "}, {"es", "no "},
+                                                               {"fi", "ei "},  {"ar", "غير "}};
+  const auto found = negations.find(language);
+  return (found == negations.end() ? "− " : found->second) + word;
+}
+
+/// Adds the names of a scale's ends in a language.
+void add_ends(Scale& scale, const std::string& language, const std::string& word) {
+  const std::string low = negated(language, word);
+  if (language == "en") {
+    scale.low = low;
+    scale.high = word;
+  } else if (language == "ja") {
+    scale.japanese_low = low;
+    scale.japanese_high = word;
+  } else {
+    scale.words.push_back({language, {low, word}});
+  }
+}
+
 /// Names of the raters of a word: chains of participants are named after both.
 std::vector<std::string> raters_of(const ChainResults& results, const std::string& word,
                                    std::size_t count) {
@@ -106,8 +132,11 @@ ScaleSet word_scales(const Manifest& manifest) {
   for (const auto& [id, shown] : adaptive_of(manifest).words) {
     Scale scale;
     scale.id = id;
-    scale.low = "not " + shown.text;
+    const std::string first = adaptive_of(manifest).language.first();
+    scale.low = negated(first, shown.text);
     scale.high = shown.text;
+    if (shown.by_language.empty() && first != "en") add_ends(scale, first, shown.text);
+    for (const auto& [language, text] : shown.by_language) add_ends(scale, language, text);
     set.scales.push_back(scale);
   }
   return set;
@@ -142,7 +171,7 @@ std::string word_ratings_csv(const ChainStudy& study, const ChainResults& result
 Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
                             const ChainResults& results, const std::filesystem::path& scales) {
   Manifest manifest = source;
-  manifest.study = source.study + "-prototypes";
+  manifest.study = source.study + (results.simulated ? "-simulated-prototypes" : "-prototypes");
   manifest.stimuli.clear();
   manifest.overlays.clear();
   manifest.sheets.clear();
@@ -157,10 +186,10 @@ Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
     for (const Stimulus& stimulus : manifest.stimuli) sheet.gallery.push_back(stimulus.id);
   }
   Questionnaire& asked = manifest.questionnaire.emplace();
-  asked.title = adaptive.title;
+  // Consent and instructions were about sliders.
+  asked.language = adaptive.language;
+  asked.texts = adaptive.texts;
   asked.participants = adaptive.participants;
-  asked.consent = adaptive.consent;
-  asked.ending = adaptive.ending;
   asked.demographics = adaptive.demographics;
   asked.scales.all = true;
   asked.scales.file = scales;

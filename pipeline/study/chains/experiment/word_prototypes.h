@@ -9,7 +9,8 @@
 
 namespace mien::pipeline {
 
-/// A scale for each word, from "not <word>" to the word, with the word's id as its own.
+/// A scale for each word, from "not <word>" to the word in each language of the pages, with the
+/// word's id as its own.
 ScaleSet word_scales(const Manifest& manifest);
 
 /// Ratings of the examples on these scales, as a CSV of answers (participant, stimulus, scale,
@@ -26,7 +27,8 @@ std::string word_ratings_csv(const ChainStudy& study, const ChainResults& result
 
 /// A manifest with a stimulus for each word, made from the dimensions of its prototype (of
 /// components, from the weights that they give the examples), and a questionnaire in which
-/// participants rate these on the scales. Its files lie beside it: scales in `scales`.
+/// participants rate these on the scales, without a title and texts of its own. Its files lie
+/// beside it: scales in `scales`. Its name says whether the answers were simulated.
 Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
                             const ChainResults& results, const std::filesystem::path& scales);
 

@@ -61,7 +61,8 @@ StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, Cloc
   const bool has_same_design = store_.fact(design_fact) == study_.facts.design;
   if (!has_same_design || store_.fact(media_fact) != media_hash(study_))
     throw Error({store_.file().string()},
-                has_same_design ? (study_.live ? "was started with different motions"
+                has_same_design ? (study_.live ? "was started with different motions or another "
+                                                 "number of participants"
                                                : "was started with different videos")
                 : study_.live ? "was started with a different experiment: texts, plans, sliders or "
                                 "settings have changed since"

@@ -54,7 +54,7 @@ std::vector<double> level_ticks(const LevelAxis& axis) {
     }
   std::vector<double> ticks;
   for (double tick = std::ceil(axis.low / step); tick * step <= axis.high; ++tick)
-    ticks.push_back(tick * step);
+    ticks.push_back(tick * step + 0.0);  // no −0
   return ticks;
 }
 

@@ -94,10 +94,14 @@ std::string head_html(const Results& results, const FrozenVerdict& frozen) {
   if (answer_set.simulated) html += "<p class=\"simulated\">Simulated answers.</p>\n";
   const std::size_t answers = answer_set.ratings.size() + answer_set.chosen.size() +
                               answer_set.preferences.size() + answer_set.words.size();
-  html += fmt::format("<p class=\"quiet\">Study {}: {} of {} about {}",
-                      html_escaped(answer_set.study), counted_noun(answers, "answer", "answers"),
-                      counted_noun(answer_set.people.size(), "participant", "participants"),
-                      counted_noun(judged_stimuli(answer_set), "video", "videos"));
+  const std::string people = counted_noun(answer_set.people.size(), "participant", "participants");
+  // Answers that are hits and false alarms alone are counted in their own section.
+  html += fmt::format(
+      "<p class=\"quiet\">Study {}: {}", html_escaped(answer_set.study),
+      answers == 0
+          ? people
+          : fmt::format("{} of {} about {}", counted_noun(answers, "answer", "answers"), people,
+                        counted_noun(judged_stimuli(answer_set), "video", "videos")));
   html += answer_set.design.empty()
               ? ".</p>\n"
               : ". Design hash: " + html_escaped(answer_set.design) + ".</p>\n";

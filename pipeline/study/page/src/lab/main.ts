@@ -51,13 +51,16 @@ function seenText(seconds: number | null): string {
 const pageNames: Record<string, string> = { consent: "consent", screening: "screening", demographics: "questions about the person", ending: "end" };
 const pageText = (name: string): string => pageNames[name] ?? name.replace("trial-", "trial ");
 
+const isQuestionnaire = (status: LabStatus): boolean => !status.is_matching && !status.is_adaptive;
+
 function showOverview(status: LabStatus): void {
   const count = (state: Participant["state"]) => status.participants.filter((one) => one.state === state).length;
   const answers = status.histograms.reduce((sum, one) => sum + one.answers, 0);
-  const numbers: [string, number][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
+  const numbers: [string, number | string][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
     ["Away", count("away")], ["Refused", count("refused") + status.refused_at_join], ["Screened out", count("screened_out")],
     ["Withdrawn", count("withdrawn")]];
-  if (!status.is_matching) numbers.push(["Answers", answers]);
+  if (isQuestionnaire(status)) numbers.push(["Answers", answers]);
+  if (status.steps[1] > 0) numbers.push(["Steps of chains", `${status.steps[0]} of ${status.steps[1]}`]);
   const list = at("overview");
   if (list.children.length !== numbers.length)
     list.replaceChildren(...numbers.map(() => element("div", {}, element("dt"), element("dd"))));
@@ -151,7 +154,8 @@ function show(status: LabStatus): void {
   const link = wholeLink(status.join);
   if (join.value !== link) join.value = link;
   for (const part of document.querySelectorAll<HTMLElement>(".of-matching")) part.hidden = !status.is_matching;
-  for (const part of document.querySelectorAll<HTMLElement>(".of-questionnaire")) part.hidden = status.is_matching;
+  for (const part of document.querySelectorAll<HTMLElement>(".of-questionnaire")) part.hidden = !isQuestionnaire(status);
+  for (const part of document.querySelectorAll<HTMLElement>(".of-adaptive")) part.hidden = !status.is_adaptive;
   for (const part of document.querySelectorAll<HTMLElement>(".of-traces")) part.hidden = !status.has_traces;
   showOverview(status);
   showParticipants(status.participants);

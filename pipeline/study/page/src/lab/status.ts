@@ -4,6 +4,9 @@ export interface LabStatus {
   title: string;
   design: string;
   is_matching: boolean;
+  is_adaptive: boolean;
+  /** Complete steps of chains across participants, and all of them; zeros without such chains. */
+  steps: [number, number];
   has_traces: boolean;
   /** Why answers cannot be kept; empty where they can. */
   trouble: string;
