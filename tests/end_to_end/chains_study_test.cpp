@@ -55,7 +55,7 @@ TEST_F(SteeredWords, BecomeFilmsAndAQuestionnaire) {
   const std::string out = (folder.path() / "out").string();
   const Ended made = run_mien({"run", prototypes, "--out", out});
   ASSERT_EQ(made.code, 0) << made.errors;
-  EXPECT_TRUE(fs::exists(fs::path(out) / "steering-prototypes/videos/sad.mp4"));
+  EXPECT_TRUE(fs::exists(fs::path(out) / "steering-simulated-prototypes/videos/sad.mp4"));
   const Ended asked =
       run_mien({"study", "design", prototypes, "-o", (folder.path() / "plans.csv").string()});
   EXPECT_EQ(asked.code, 0) << asked.errors;
@@ -82,7 +82,15 @@ TEST_F(SteeredWords, HaveTheSameResultsAgainAndTellWhatIsWrong) {
   for (const auto& entry : fs::directory_iterator(results))
     EXPECT_EQ(text_of(entry.path()), text_of(fs::path(again) / entry.path().filename()))
         << entry.path();
-  // The tables of steps are not overwritten by results.
+  // Results are replaced by later ones, and nothing else is.
+  EXPECT_EQ(chains(again, {"--discard", "1"}).code, 0);
+  const fs::path notes = folder.path() / "notes";
+  fs::create_directory(notes);
+  folder.write("notes/mine.txt", "keep");
+  const Ended refused = chains(notes.string());
+  EXPECT_NE(refused.code, 0);
+  EXPECT_NE(refused.errors.find("has no results of chains"), std::string::npos) << refused.errors;
+  EXPECT_EQ(run_mien({"study", "chains", steps, manifest, "-o", again}).code, 0) << "in any order";
   EXPECT_NE(run_mien({"study", "chains", manifest, steps, "-o", steps}).code, 0);
   const Ended none = chains(again, {"--discard", "4"});
   EXPECT_NE(none.code, 0);

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,8 @@ std::vector<Answers> answers_of(const std::vector<fs::path>& files, const Manife
   std::vector<Answers> rounds;
   std::map<std::string, fs::path> known;
   for (const fs::path& file : files) {
+    if (!fs::is_regular_file(file))
+      throw Error({file.string()}, "there is no such file", "check the name of the answers");
     const auto [same, is_new] = known.emplace(read_file(file), file);
     if (!is_new) {
       console.err << fmt::format("note: {} has the same content as {} and was left out\n",
@@ -80,6 +83,22 @@ std::vector<Answers> answers_of(const std::vector<fs::path>& files, const Manife
       console.err << "warning: " << file.string() << ": " << warning << '\n';
   }
   return rounds;
+}
+
+/// Names stimuli that the last questionnaire asks about and nobody has answered: their round may
+/// have been forgotten, and its films would be proposed again.
+void note_unanswered(const Manifest& manifest, const std::vector<Answers>& rounds,
+                     const Console& console) {
+  std::set<std::string> answered;
+  for (const Answers& round : rounds)
+    for (const Answer& answer : round.answers) answered.insert(answer.stimulus);
+  std::vector<std::string> without;
+  for (const std::string& id : questionnaire_stimuli(manifest))
+    if (!answered.contains(id)) without.push_back(id);
+  if (!without.empty())
+    console.err << fmt::format(
+        "note: there are no answers about {}; if this round was rated, give its answers, too\n",
+        fmt::join(without, ", "));
 }
 
 std::string aim_text(const FilmAim& aim) {
@@ -133,6 +152,7 @@ int choose_next(const NextCommand& command, const Console& console) {
   const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
   const std::vector<std::string> asked = asked_scales(command, manifest);
   const std::vector<Answers> rounds = answers_of(inputs.answers, manifest, console);
+  note_unanswered(manifest, rounds, console);
   const Repertoire repertoire = load_repertoire(manifest);
   const std::uint64_t seed = command.seed.value_or(manifest.seed);
   if (repertoire.names.size() > most_candidates)

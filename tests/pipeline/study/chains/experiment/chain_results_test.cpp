@@ -284,6 +284,29 @@ TEST(WordPrototypes, AreAManifestThatIsReady) {
   }
 }
 
+TEST(ChainAnswers, OfMoreParticipantsThanPlannedAreOfTheSameDesign) {
+  const ChainExample example(own_chains);
+  Motions motions(example.manifest);
+  const ChainStudy more = chain_study(example.manifest, motions, 9);
+  EXPECT_EQ(more.experiment.at("design"), example.study.experiment.at("design"));
+  const ChainResults results = chain_results(
+      example.study, read_back(example, simulated_chains(more, false, usual_truth(more))), {});
+  EXPECT_EQ(results.words[0].chains, 9);
+}
+
+TEST(WordScales, AreInTheLanguagesOfThePages) {
+  const Manifest manifest = chain_manifest(
+      "{participants: 4, method: gibbs, language: {browser: [de, en, ja]}, words: {tired: {de: "
+      "müde, en: tired, ja: 疲れた}}, space: {groups: all}}");
+  const Scale scale = word_scales(manifest).scales.front();
+  EXPECT_EQ(scale.low, "not tired");
+  EXPECT_EQ(scale.high, "tired");
+  EXPECT_EQ(scale.japanese_high, "疲れた");
+  ASSERT_EQ(scale.words.size(), 1u);
+  EXPECT_EQ(scale.words.front().first, "de");
+  EXPECT_EQ(scale.words.front().second[0], "nicht müde");
+}
+
 TEST(ChainPlots, NameWordsAndDimensionsAndSaySimulated) {
   const ChainExample example(own_chains);
   const ChainResults results = results_of(example);
