@@ -224,7 +224,7 @@ std::vector<Fault> check_stimuli(const Manifest& manifest) {
   check_shared_interpolation(manifest, list);
   check_limits(manifest.regression, "", list);
   // What is no map at all has been reported.
-  const bool is_map = manifest.places.values.size() > 1;
+  const bool is_map = !manifest.places.keys.empty();
   if (is_map && manifest.stimuli.empty() && !manifest.adaptive &&
       !manifest.places.values.contains("stimuli"))
     list.add("stimuli", "missing",
