@@ -104,6 +104,17 @@ TEST(ChainPlan, HasComponentsInTheOrderOfWhatTheyExplain) {
   const Eigen::RowVectorXd first = scores.row(0).array() - scores.row(0).mean();
   const Eigen::RowVectorXd shared = features.row(0).array() - features.row(0).mean();
   EXPECT_GT(std::abs(first.normalized().dot(shared.normalized())), 0.9);
+  // High values of a component are high values of the feature that it is most about.
+  for (int i = 0; i < 3; ++i) {
+    double most = 0.0;
+    for (int f = 0; f < 6; ++f) {
+      const Eigen::RowVectorXd score = scores.row(i).array() - scores.row(i).mean();
+      const Eigen::RowVectorXd feature = features.row(f).array() - features.row(f).mean();
+      const double correlation = score.normalized().dot(feature.normalized());
+      if (std::abs(correlation) > std::abs(most) + 1e-9) most = correlation;
+    }
+    EXPECT_GT(most, 0.0) << i;
+  }
   EXPECT_THROW(component_scores(features, 6), Error);
 }
 

@@ -84,6 +84,29 @@ TEST(ChainResults, FindAKnownDistributionWithChoices) {
   }
 }
 
+TEST(SimulatedChoices, AreByTheRatioOfProbabilities) {
+  const ChainExample example(
+      "{participants: 20, method: mcmc, words: [sad], space: {groups: [quickness, largeness]}, "
+      "iterations: 90, deviation: 0.25}");
+  const WordTruth truth = usual_truth(example.study).at("sad");
+  const auto utility = [&](const std::vector<double>& point) {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < point.size(); ++d)
+      sum -= 0.5 * std::pow((point[d] - truth.mean[d]) / truth.deviation[d], 2);
+    return sum;
+  };
+  double expected = 0.0, variance = 0.0;
+  int chosen = 0;
+  for (const ChainAnswer& one : simulated(example)) {
+    const double p =
+        1.0 / (1.0 + std::exp(utility(one.answer.point) - utility(one.answer.proposal)));
+    expected += p;
+    variance += p * (1.0 - p);
+    chosen += one.answer.chose_proposal ? 1 : 0;
+  }
+  EXPECT_NEAR(chosen, expected, 3.5 * std::sqrt(variance));
+}
+
 TEST(ChainResults, OfManyPeopleComeNearTheMiddle) {
   const ChainExample example(shared_chains);
   const ChainResults results = results_of(example);
