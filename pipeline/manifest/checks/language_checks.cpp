@@ -189,9 +189,11 @@ std::vector<Fault> check_languages(const Manifest& manifest) {
     using Experiment = std::remove_cvref_t<decltype(experiment)>;
     constexpr bool is_questionnaire = std::is_same_v<Experiment, Questionnaire>;
     constexpr bool is_matching = std::is_same_v<Experiment, Matching>;
-    LanguageCheck check(
-        manifest, is_questionnaire ? "questionnaire" : is_matching ? "matching" : "adaptive",
-        experiment.language, experiment.texts);
+    LanguageCheck check(manifest,
+                        is_questionnaire ? "questionnaire"
+                        : is_matching    ? "matching"
+                                         : "adaptive",
+                        experiment.language, experiment.texts);
     visit_texts(experiment, [&](const std::string& path, const auto& text) { check(path, text); });
     if constexpr (is_questionnaire) {
       check.check_scales(questionnaire_scales(manifest).scales, "scales");
