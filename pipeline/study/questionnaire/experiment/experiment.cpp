@@ -212,9 +212,8 @@ ordered_json demographics_json(const std::vector<Demographic>& demographics) {
 
 ordered_json language_json(const ordered_json& experiment, const ordered_json& first) {
   ordered_json shown = ordered_json::object();
-  for (const char* member :
-       {"title", "texts", "consent", "settings", "items", "choices", "chains", "screening",
-        "demographics"})
+  for (const char* member : {"title", "texts", "consent", "settings", "items", "choices", "chains",
+                             "screening", "demographics"})
     if (experiment.contains(member)) shown[member] = experiment[member];
   const auto record_first = [](ordered_json& questions, const ordered_json& recorded) {
     for (std::size_t i = 0; i < questions.size(); ++i)
