@@ -183,7 +183,8 @@ TEST(AdaptiveStudy, FindsTheThresholdOfSimulatedObservers) {
   ASSERT_EQ(means.size(), 2u);
   for (const auto& row : means) {
     EXPECT_EQ(row.at("all"), "20");
-    // Standard errors are about 0.012; posterior means are 0.03 to 0.04 too low (results/README.md).
+    // Standard errors are about 0.012; posterior means are 0.03 to 0.04 too low
+    // (results/README.md).
     EXPECT_NEAR(std::stod(row.at("threshold")), 0.3, 0.08) << row.at("estimate");
     EXPECT_LT(std::stod(row.at("low")), std::stod(row.at("high")));
     EXPECT_EQ(row.at("simulated"), "1");

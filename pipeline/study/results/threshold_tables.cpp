@@ -83,7 +83,8 @@ constexpr auto threshold_columns = result_table<ThresholdRow>(
      {"reversals", "level",
       "staircases: mean over the tracks of their mean levels of reversals after the first two",
       [](auto& r) { return r.of.reversal_mean; }},
-     {"remark", "", "why there is no threshold, or no interval", [](auto& r) { return threshold_remark(r.of); }}});
+     {"remark", "", "why there is no threshold, or no interval",
+      [](auto& r) { return threshold_remark(r.of); }}});
 
 constexpr auto level_columns = result_table<ThresholdLevelRow>(
     "results/threshold_levels.csv", "level of a participant, and of all answers together",

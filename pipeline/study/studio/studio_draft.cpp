@@ -132,8 +132,8 @@ std::string examples_key(const ordered_json& document) {
 
 ordered_json document_excerpt(const ordered_json& document, const std::vector<std::string>& ids) {
   ordered_json about = document;
-  for (const char* name :
-       {"sheets", "overlays", "questionnaire", "matching", "adaptive", "equalize", "design", "mismatch"})
+  for (const char* name : {"sheets", "overlays", "questionnaire", "matching", "adaptive",
+                           "equalize", "design", "mismatch"})
     about.erase(name);
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return about;
   for (ordered_json& stimulus : about["stimuli"])

@@ -155,7 +155,8 @@ struct SimulatedView {
 /// is a trial of the kind that it resembles, but without stimuli.
 struct TrialKind {
   std::string_view name;
-  const TrialForm* form = nullptr;  ///< the form in a manifest; nullptr for matching and chain trials
+  const TrialForm* form =
+      nullptr;  ///< the form in a manifest; nullptr for matching and chain trials
 
   /// Raw answers that an attention check may request.
   std::vector<std::string> (*attention_answers)(const Question&) = nullptr;

@@ -17,7 +17,7 @@ using motion::in_quotes;
 
 /// The examples and targets are sent to browsers, which interpolate them.
 std::vector<Fault> restricted_examples(const Manifest& manifest,
-                                      const std::vector<RecordingFile>& recordings) {
+                                       const std::vector<RecordingFile>& recordings) {
   std::vector<Fault> faults;
   for (const RecordingFile& recording : recordings) {
     if (recording.licence.share) continue;

@@ -10,8 +10,9 @@ using mien::test::adaptive_members;
 
 /// What is wrong with the dose study; empty if nothing is.
 std::string wrong_with(const std::string& members) {
-  const ManifestReading reading = parse_manifest(mien::test::dose_study_text(members), "/nowhere/m.yaml",
-                                                 [](const std::string&) { return std::nullopt; });
+  const ManifestReading reading =
+      parse_manifest(mien::test::dose_study_text(members), "/nowhere/m.yaml",
+                     [](const std::string&) { return std::nullopt; });
   return reading.faults.empty() ? "" : Faults(reading.faults).what();
 }
 

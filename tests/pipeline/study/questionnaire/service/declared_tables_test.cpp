@@ -40,9 +40,9 @@ TEST(DeclaredTables, HaveTheColumnsOfThePages) {
 
 TEST(DeclaredTables, ArePagesOfTheManual) {
   std::string sections;
-  for (const TableForm& form : {answer_form, traces_form, participant_form, plans_form,
-                                balance_form, matching_trials_form, matching_changes_form,
-                                chain_steps_form})
+  for (const TableForm& form :
+       {answer_form, traces_form, participant_form, plans_form, balance_form, matching_trials_form,
+        matching_changes_form, chain_steps_form})
     sections += (sections.empty() ? "" : "\n") + markdown_of(form);
   const std::string page = source_file("pipeline/study/questionnaire/TABLES.md");
   EXPECT_EQ(page.substr(page.find("## ")), sections);
