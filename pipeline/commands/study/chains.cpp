@@ -82,7 +82,7 @@ void remark(const ChainResults& results, const Console& console) {
   }
 }
 
-/// Scales, ratings and manifest: names and contents.
+/// Manifest, scales and ratings: names and contents.
 std::vector<NewTable> prototype_files(const Manifest& manifest, const ChainStudy& study,
                                       const ChainResults& results, const fs::path& folder) {
   const ScaleSet scales = word_scales(manifest);
@@ -92,9 +92,9 @@ std::vector<NewTable> prototype_files(const Manifest& manifest, const ChainStudy
       prototype_manifest(manifest, study, results, fs::absolute(folder / "words.scales.yaml"));
   std::string comment = prototypes_comment;
   comment += results.simulated ? " from simulated answers.\n" : ".\n";
-  return {{folder / "words.scales.yaml", to_yaml(scales, head)},
-          {folder / "words.ratings.csv", word_ratings_csv(study, results, scales)},
-          {folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)}};
+  return {{folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)},
+          {folder / "words.scales.yaml", to_yaml(scales, head)},
+          {folder / "words.ratings.csv", word_ratings_csv(study, results, scales)}};
 }
 
 /// Throws Error for a folder with files that an earlier analysis has not written.
@@ -108,6 +108,8 @@ void refuse_other_folder(const fs::path& folder) {
 }
 
 int analyse_chains(const ChainsCommand& command, const Console& console) {
+  const fs::path folder = command.out;
+  refuse_other_folder(folder);
   const AnswerInputs inputs = answer_inputs(command.files);
   const Manifest manifest = participants_manifest(inputs.manifest.string(), console);
   const Adaptive& adaptive = adaptive_of(manifest);
@@ -117,14 +119,13 @@ int analyse_chains(const ChainsCommand& command, const Console& console) {
   const ChainResults results = chain_results(
       study, answers,
       {.discarded = command.discarded, .across_participants = adaptive.across_participants});
-  const fs::path folder = command.out;
   const std::vector<NewTable> files = prototype_files(manifest, study, results, folder);
-  refuse_other_folder(folder);
   make_folder(folder);
+  // They mark the folder as one of results, also if the rest is not written.
+  for (const NewTable& file : files) write_file(file.file, file.csv);
   write_tables(folder, chain_tables(results));
   write_plot(chains_plot(results), folder, "chains");
   write_plot(prototypes_plot(results), folder, "prototypes");
-  for (const NewTable& file : files) write_file(file.file, file.csv);
   show(results, console);
   remark(results, console);
   console.out << folder.string() << '\n';

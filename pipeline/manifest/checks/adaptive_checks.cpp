@@ -115,11 +115,14 @@ class AdaptiveExperimentCheck {
           fmt::format("each participant would have {:.0f} trials; at most {:.0f} are possible",
                       steps * chains, max_trials),
           "use fewer iterations, chains or words, or across_participants: true");
-    if (steps * chains * adaptive_.people_per_step > max_steps)
-      list_.add(at("iterations"),
-                fmt::format("{:.0f} answers are needed; at most {:.0f} are possible",
-                            steps * chains * adaptive_.people_per_step, max_steps),
-                "use fewer iterations, chains, words or people per step");
+    const double people =
+        adaptive_.across_participants ? adaptive_.people_per_step : adaptive_.participants;
+    const double answers = steps * chains * people;
+    if (answers > max_steps)
+      list_.add(
+          at("iterations"),
+          fmt::format("{:.0f} answers are needed; at most {:.0f} are possible", answers, max_steps),
+          "use fewer iterations, chains, words or people");
   }
 
   void check_demographics() {

@@ -150,10 +150,13 @@ class AnswerReader {
   const std::vector<CsvField>* row_ = nullptr;
 };
 
-auto identity(const ReadAnswer& answer) {
+/// Equal for rows that say the same.
+auto content_of(const ReadAnswer& answer) {
   const ChainAnswer& of = answer.of;
-  return std::tuple(of.participant, of.session, of.answer.word, of.answer.chain, of.answer.step,
-                    of.answer.person);
+  const ChainRecord& record = of.answer;
+  return std::tuple(of.participant, of.session, record.word, record.chain, record.step,
+                    record.person, record.point, record.dimension, record.value, record.proposal,
+                    record.chose_proposal);
 }
 
 /// Follows one chain.
@@ -203,14 +206,19 @@ class PathReplay {
 
   void take(const std::vector<const ReadAnswer*>& of_step) {
     std::vector<double> values;
+    const ChainRecord* before = nullptr;  // they are sorted by person
     for (const ReadAnswer* answer : of_step) {
       const ChainRecord& record = answer->of.answer;
       if (record.point != point_)
         return add(*answer, "the point is not the one that the answers before lead to",
                    "pass all answers, unchanged, of one experiment");
-      if (answer != of_step.front() && record.person == of_step.front()->of.answer.person)
+      if (!values.empty() && record.person == before->person)
         return add(*answer, "this step has been answered before", "keep one of the two answers");
+      if (!values.empty() && record.dimension != before->dimension)
+        return add(*answer, "the other people of this step had another dimension",
+                   "pass the answers unchanged");
       values.push_back(record.value);
+      before = &record;
     }
     if (std::ssize(values) < design_.people_per_step) return;
     const ChainRecord& last = of_step.back()->of.answer;
@@ -235,7 +243,7 @@ ChainAnswers read_chain_answers(const std::vector<std::filesystem::path>& files,
                                 const ChainStudy& study) {
   ChainAnswers read;
   std::vector<Fault> faults;
-  std::set<decltype(identity(ReadAnswer()))> known;
+  std::set<decltype(content_of(ReadAnswer()))> known;
   std::optional<bool> are_simulated;
   for (const std::filesystem::path& file : files) {
     const CsvTable table = read_csv(file);
@@ -248,7 +256,7 @@ ChainAnswers read_chain_answers(const std::vector<std::filesystem::path>& files,
             {answer->place, "", "there are simulated and real answers", "analyse them separately"});
       are_simulated = answer->of.simulated;
       // A file that was saved twice; rows that contradict each other remain.
-      if (!known.insert(identity(*answer)).second && files.size() > 1) continue;
+      if (!known.insert(content_of(*answer)).second && files.size() > 1) continue;
       read.answers.push_back(std::move(*answer));
     }
   }

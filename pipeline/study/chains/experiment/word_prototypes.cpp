@@ -16,6 +16,9 @@ namespace {
 
 using Kind = MotionSpace::Kind;
 
+/// As the schema of manifests permits.
+constexpr std::size_t longest_study_name = 64;
+
 /// Positions of the examples, one column each, in units of the ranges.
 Eigen::MatrixXd places_of_examples(const ChainStudy& study) {
   Eigen::MatrixXd places = study.dimensions.at_examples;
@@ -171,7 +174,8 @@ std::string word_ratings_csv(const ChainStudy& study, const ChainResults& result
 Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
                             const ChainResults& results, const std::filesystem::path& scales) {
   Manifest manifest = source;
-  manifest.study = source.study + (results.simulated ? "-simulated-prototypes" : "-prototypes");
+  const std::string ending = results.simulated ? "-simulated-prototypes" : "-prototypes";
+  manifest.study = source.study.substr(0, longest_study_name - ending.size()) + ending;
   manifest.stimuli.clear();
   manifest.overlays.clear();
   manifest.sheets.clear();

@@ -21,7 +21,7 @@ struct AssignedStep {
   std::vector<double> point;  ///< of the chain
 };
 
-/// What a page is told of its step.
+/// The step as JSON, for the page (Step of page/src/chains/steps.ts).
 nlohmann::ordered_json step_json(const ChainDesign& design, const AssignedStep& step);
 
 /// Why no step is assigned.

@@ -129,6 +129,16 @@ TEST(AdaptiveChecks, RefuseWhatCannotBe) {
   EXPECT_NE(with("space: {groups: all, features: all}").find("several kinds: groups, features"),
             std::string::npos);
   EXPECT_NE(with("space: {}").find("no dimensions"), std::string::npos);
+  EXPECT_NE(chain_fault("{participants: 10000, method: gibbs, words: [sad], space: {groups: all}, "
+                        "iterations: 100}")
+                .find("4000000 answers are needed"),
+            std::string::npos);
+  // Films are named after words.
+  for (const char* word : {"[../sad]", "{../sad: sad}", "[\"\"]", "[a/b]"})
+    EXPECT_NE(chain_fault("{participants: 4, method: gibbs, words: " + std::string(word) +
+                          ", space: {groups: all}}"),
+              "")
+        << word;
   EXPECT_NE(with("space: {groups: all}, people_per_step: 2").find("across_participants"),
             std::string::npos);
   EXPECT_NE(with("space: {groups: all}, aggregate: mean").find("people_per_step"),

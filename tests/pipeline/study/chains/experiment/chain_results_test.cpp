@@ -217,6 +217,49 @@ TEST(ChainAnswers, AreRefusedWhereTheyDoNotFollow) {
             std::string::npos);
 }
 
+TEST(ChainAnswers, OfTwoFilesAreReadOnceAndMayNotContradictEachOther) {
+  const ChainExample example(own_chains);
+  std::vector<ChainAnswer> answers = simulated(example);
+  const test::TemporaryFolder folder;
+  const auto first = folder.path() / "a.csv", second = folder.path() / "b.csv";
+  write_file(first, chain_steps_csv(answers, example.study.design));
+  write_file(second, chain_steps_csv(answers, example.study.design));
+  const ChainAnswers twice = read_chain_answers({first, second}, example.study);
+  EXPECT_EQ(twice.answers.size(), read_chain_answers({first}, example.study).answers.size());
+  answers[3].answer.value = example.study.design.space[answers[3].answer.dimension].low;
+  write_file(second, chain_steps_csv(answers, example.study.design));
+  try {
+    chain_paths(example.study, false, read_chain_answers({first, second}, example.study));
+    FAIL() << "one of two different answers was dropped";
+  } catch (const Faults& faults) {
+    EXPECT_NE(std::string(faults.what()).find("b.csv:5:1: this step has been answered before"),
+              std::string::npos)
+        << faults.what();
+  }
+}
+
+TEST(ChainAnswers, OfOneStepAreOfDifferentPeopleAndOneDimension) {
+  const ChainExample example(shared_chains);
+  const std::vector<ChainAnswer> answers = simulated(example);
+  const auto of_first_step = [](std::vector<ChainAnswer>& rows, int person) -> ChainAnswer& {
+    return *std::ranges::find_if(rows, [&](const ChainAnswer& one) {
+      return !one.is_practice && one.answer.word == "sad" && one.answer.chain == 1 &&
+             one.answer.step == 0 && one.answer.person == person;
+    });
+  };
+  EXPECT_NE(refusal(example, answers, [&](auto& rows) { of_first_step(rows, 2).answer.person = 1; })
+                .find("answered before"),
+            std::string::npos);
+  EXPECT_NE(refusal(example, answers,
+                    [&](auto& rows) {
+                      ChainRecord& record = of_first_step(rows, 2).answer;
+                      record.dimension = 1 - record.dimension;
+                      record.value = 0.5;
+                    })
+                .find("another dimension"),
+            std::string::npos);
+}
+
 TEST(ChainAnswers, OfWhoLeftEarlyAreNotUsed) {
   const ChainExample example(own_chains);
   std::vector<ChainAnswer> answers = simulated(example);
@@ -328,6 +371,15 @@ TEST(WordScales, AreInTheLanguagesOfThePages) {
   ASSERT_EQ(scale.words.size(), 1u);
   EXPECT_EQ(scale.words.front().first, "de");
   EXPECT_EQ(scale.words.front().second[0], "nicht müde");
+}
+
+TEST(WordPrototypes, HaveANameThatManifestsPermit) {
+  ChainExample example(own_chains);
+  example.manifest.study = std::string(64, 's');
+  const Manifest prototypes = prototype_manifest(example.manifest, example.study,
+                                                 results_of(example), "/words.scales.yaml");
+  EXPECT_EQ(prototypes.study.size(), 64u);
+  EXPECT_TRUE(prototypes.study.ends_with("s-simulated-prototypes"));
 }
 
 TEST(ChainPlots, NameWordsAndDimensionsAndSaySimulated) {
