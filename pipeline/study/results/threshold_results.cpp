@@ -69,7 +69,8 @@ class ThresholdEstimator {
     return all;
   }
 
-  /// Of a step, which lies anywhere between two levels, the middle.
+  /// Of a step the middle of the two levels between which it is; both are equal if it is at a
+  /// level.
   double threshold_in(const PsychometricFit& fit) const {
     if (fit.problem == FitProblem::step) return 0.5 * (fit.step.low + fit.step.high);
     return fit.problem == FitProblem::none ? level_at(fit.function, design_.proportion)
@@ -206,7 +207,7 @@ std::string threshold_remark(const ThresholdEstimate& estimate) {
     case FitProblem::not_rising:
       return "answers do not depend on the level";
     case FitProblem::step:
-      return "a step between two levels: the threshold is their middle";
+      return "a step at a level, or between two: the threshold is there, or in their middle";
   }
   return "";
 }
