@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,19 @@ struct MotionSpaceForm {
   }
 };
 
+/// When the chains of a word end: once they agree, or at their greatest length.
+struct ChainEnd {
+  double r_hat = 1.1;  ///< they agree if R̂ is at most this in every dimension
+  int at_least = 10;   ///< number of sweeps (choices in mcmc) of every chain before R̂ is computed
+  int at_most = 40;    ///< greatest number of sweeps (choices)
+};
+
+void fields_of(auto&& field, MaybeConst<ChainEnd> auto& end) {
+  field("r_hat", end.r_hat, concerns::required);
+  field("at_least", end.at_least, concerns::nothing);
+  field("at_most", end.at_most, concerns::required);
+}
+
 /// An adaptive experiment: chains of motions for each word, in which every step depends on the
 /// answers before. The experiment does not affect the stimuli.
 struct Adaptive {
@@ -62,6 +76,7 @@ struct Adaptive {
   MotionSpace space;
   int chains = 1;      ///< of each word: of each participant, or of all if across participants
   int iterations = 5;  ///< sweeps over all dimensions in Gibbs sampling; otherwise choices
+  std::optional<ChainEnd> until;  ///< in place of `iterations`, only across participants
   /// Each step is answered by other participants than the one before; needs a server.
   bool across_participants = false;
   int people_per_step = 1;  ///< only across participants
@@ -69,6 +84,8 @@ struct Adaptive {
   int trials_per_participant = 40;  ///< only across participants
   double answer_within_s = 180.0;   ///< after this, a step is given to another participant
   int practice = 2;                 ///< number of practice trials
+  int attention_every = 0;          ///< mean number of trials between attention checks; 0: none
+  int max_failed_checks = 1;        ///< participants who fail more are replaced
   double deviation = 0.15;          ///< of proposals in mcmc, as a share of the ranges
   std::string colour = "#3465c8";   ///< of the figure
   Phones phones = Phones::refused;
@@ -88,12 +105,17 @@ void fields_of(auto&& field, MaybeConst<Adaptive> auto& adaptive) {
   field.by("space", adaptive.space, concerns::required, MotionSpaceForm());
   field("chains", adaptive.chains, concerns::nothing);
   field("iterations", adaptive.iterations, concerns::nothing);
+  field("until", adaptive.until, concerns::nothing);
   field("across_participants", adaptive.across_participants, concerns::nothing);
   field("people_per_step", adaptive.people_per_step, concerns::nothing);
   field("aggregate", adaptive.aggregate, concerns::nothing, step_aggregate_words);
   field("trials_per_participant", adaptive.trials_per_participant, concerns::nothing);
   field("answer_within_s", adaptive.answer_within_s, concerns::nothing);
   field("practice", adaptive.practice, concerns::nothing);
+  field.group("attention", [&](auto& checks) {
+    checks("every", adaptive.attention_every, concerns::nothing);
+    checks("max_failed_checks", adaptive.max_failed_checks, concerns::nothing);
+  });
   field("deviation", adaptive.deviation, concerns::nothing);
   field("colour", adaptive.colour, concerns::nothing);
   field("phones", adaptive.phones, concerns::nothing, phones_words);

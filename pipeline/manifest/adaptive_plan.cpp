@@ -60,7 +60,7 @@ double chain_steps(const Manifest& manifest) {
   const Adaptive& adaptive = *manifest.adaptive;
   const double each =
       adaptive.method == ChainMethod::gibbs ? static_cast<double>(dimension_count(manifest)) : 1.0;
-  return each * adaptive.iterations;
+  return each * (adaptive.until ? adaptive.until->at_most : adaptive.iterations);
 }
 
 }  // namespace mien::pipeline

@@ -21,8 +21,8 @@ std::vector<std::string> dimension_names(const Manifest& manifest);
 /// Returns the number of dimensions; 0 if the examples are not known.
 std::size_t dimension_count(const Manifest& manifest);
 
-/// Returns the number of steps of a complete chain: in Gibbs sampling one for each dimension in
-/// each sweep, otherwise one for each choice.
+/// Returns the number of steps of a complete chain, or its greatest number (until): in Gibbs
+/// sampling one for each dimension in each sweep, otherwise one for each choice.
 double chain_steps(const Manifest& manifest);
 
 }  // namespace mien::pipeline

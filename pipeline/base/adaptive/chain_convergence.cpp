@@ -54,11 +54,17 @@ double variogram(const ChainValues& chains, std::size_t lag) {
 
 }  // namespace
 
+std::size_t shortest_sweeps(const std::vector<std::vector<std::vector<double>>>& paths,
+                            std::size_t steps_per_sweep) {
+  std::size_t sweeps = std::numeric_limits<std::size_t>::max();
+  for (const auto& path : paths) sweeps = std::min(sweeps, path.size() / steps_per_sweep);
+  return paths.empty() ? 0 : sweeps;
+}
+
 ChainValues chain_values(const std::vector<std::vector<std::vector<double>>>& paths,
                          std::size_t dimension, std::size_t steps_per_sweep,
                          std::size_t discarded) {
-  std::size_t sweeps = std::numeric_limits<std::size_t>::max();
-  for (const auto& path : paths) sweeps = std::min(sweeps, path.size() / steps_per_sweep);
+  const std::size_t sweeps = shortest_sweeps(paths, steps_per_sweep);
   ChainValues chains;
   for (const auto& path : paths) {
     std::vector<double>& values = chains.emplace_back();
@@ -83,6 +89,16 @@ bool are_different(const ChainValues& chains) {
   const auto n = static_cast<double>(chains.front().size());
   const boost::math::fisher_f ratio(m - 1.0, m * (n - 1.0));
   return cdf(complement(ratio, n * r_hat * r_hat - (n - 1.0))) < chance;
+}
+
+bool have_converged(const std::vector<std::vector<std::vector<double>>>& paths,
+                    std::size_t steps_per_sweep, double r_hat) {
+  const std::size_t sweeps = shortest_sweeps(paths, steps_per_sweep);
+  if (sweeps - sweeps / 2 < 2) return false;
+  const std::size_t dimensions = paths.front().front().size();
+  for (std::size_t d = 0; d < dimensions; ++d)
+    if (scale_reduction(chain_values(paths, d, steps_per_sweep, sweeps / 2)) > r_hat) return false;
+  return true;
 }
 
 double effective_sample_size(const ChainValues& chains) {

@@ -16,6 +16,10 @@ using ChainValues = std::vector<std::vector<double>>;
 ChainValues chain_values(const std::vector<std::vector<std::vector<double>>>& paths,
                          std::size_t dimension, std::size_t steps_per_sweep, std::size_t discarded);
 
+/// The number of complete sweeps of the shortest chain.
+std::size_t shortest_sweeps(const std::vector<std::vector<std::vector<double>>>& paths,
+                            std::size_t steps_per_sweep);
+
 /// The potential scale reduction factor (Gelman and Rubin 1992)
 ///
 ///   R̂ = √(((n − 1)/n · W + B/n)/W)
@@ -31,6 +35,13 @@ double scale_reduction(const ChainValues& chains);
 /// independent values of one normal distribution with a probability of 0.001. With few values per
 /// chain, R̂ is often above 1.1 by chance.
 bool are_different(const ChainValues& chains);
+
+/// Whether chains agree so well that they may end: R̂ of the second halves of their sweeps is at
+/// most `r_hat` in every dimension. Chains in which no value differs from another agree. `paths`
+/// and `steps_per_sweep` as for chain_values; false with fewer than two values in the second
+/// halves.
+bool have_converged(const std::vector<std::vector<std::vector<double>>>& paths,
+                    std::size_t steps_per_sweep, double r_hat);
 
 /// The number of independent values that would determine the mean as well as these (Gelman and
 /// others 2013, section 11.5): m·n/(1 + 2·Σρ), with the autocorrelations ρ estimated from all m

@@ -24,12 +24,14 @@ void print_across(const Manifest& manifest, const ChainStudy& study, std::ostrea
                              static_cast<std::size_t>(adaptive.people_per_step);
   const std::size_t given =
       study.sessions.size() * static_cast<std::size_t>(adaptive.trials_per_participant);
+  const char* at_most = study.design.until ? "at most " : "";
   out << fmt::format(
-      "{} chains across participants, of {} steps each: {} answers are needed, and {} participants "
-      "give at most {}.\n",
-      chains, study.design.steps, needed, study.sessions.size(), given);
+      "{} chains across participants, of {}{} steps each: {}{} answers are needed, and {} "
+      "participants give at most {}.\n",
+      chains, at_most, study.design.steps, at_most, needed, study.sessions.size(), given);
   if (given < needed)
-    out << fmt::format("The chains will not be complete; plan for at least {} participants.\n",
+    out << fmt::format("The chains {} not be complete; plan for at least {} participants.\n",
+                       study.design.until ? "may" : "will",
                        (needed + static_cast<std::size_t>(adaptive.trials_per_participant) - 1) /
                            static_cast<std::size_t>(adaptive.trials_per_participant));
   out << fmt::format("At most {} participants can have a step at the same time; others wait.\n",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
@@ -65,11 +66,17 @@ void show(const ChainResults& results, const Console& console) {
 }
 
 /// What may make results useless, on standard error.
-void remark(const ChainResults& results, const Console& console) {
+void remark(const ChainResults& results, const Adaptive& adaptive, const Console& console) {
   if (results.incomplete > 0)
     console.err << fmt::format(
         "note: {} not complete and left out\n",
         counted_noun(static_cast<std::size_t>(results.incomplete), "chain is", "chains are"));
+  if (!results.inattentive.empty())
+    console.err << fmt::format(
+        "note: {} failed too many attention checks{}\n", fmt::join(results.inattentive, ", "),
+        adaptive.across_participants      ? "; answers before that are part of the chains"
+        : results.inattentive.size() == 1 ? " and is left out"
+                                          : " and are left out");
   for (const WordSamples& word : results.words) {
     double worst = 0.0;
     for (const DimensionSamples& of : word.dimensions)
@@ -116,9 +123,10 @@ int analyse_chains(const ChainsCommand& command, const Console& console) {
   Motions motions(manifest);
   const ChainStudy study = chain_study(manifest, motions);
   const ChainAnswers answers = read_chain_answers(inputs.answers, study);
-  const ChainResults results = chain_results(
-      study, answers,
-      {.discarded = command.discarded, .across_participants = adaptive.across_participants});
+  const ChainResults results = chain_results(study, answers,
+                                             {.discarded = command.discarded,
+                                              .across_participants = adaptive.across_participants,
+                                              .max_failed_checks = adaptive.max_failed_checks});
   const std::vector<NewTable> files = prototype_files(manifest, study, results, folder);
   make_folder(folder);
   // They mark the folder as one of results, also if the rest is not written.
@@ -126,8 +134,9 @@ int analyse_chains(const ChainsCommand& command, const Console& console) {
   write_tables(folder, chain_tables(results));
   write_plot(chains_plot(results), folder, "chains");
   write_plot(prototypes_plot(results), folder, "prototypes");
+  write_plot(densities_plot(results), folder, "densities");
   show(results, console);
-  remark(results, console);
+  remark(results, adaptive, console);
   console.out << folder.string() << '\n';
   return exit_done;
 }
@@ -150,9 +159,11 @@ Command study_chains_command() {
                       "as samples (default: the first half)")
                       .between(0, 1000)},
       .notes =
-          "Writes samples.csv, prototypes.csv and distances.csv with a codebook, the figures "
-          "chains and prototypes\n"
-          "as .pdf, .svg and .png, and what manifests take: words.scales.yaml and "
+          "Writes samples.csv, prototypes.csv, densities.csv and distances.csv with a codebook, "
+          "the "
+          "figures chains,\n"
+          "prototypes and densities as .pdf, .svg and .png, and what manifests take: "
+          "words.scales.yaml and "
           "words.ratings.csv for examples, so\n"
           "that stimuli can have adjectives: {sad: 0.8}, and prototypes.yaml, which makes a "
           "film of each word and\n"

@@ -30,20 +30,43 @@ constexpr char readme[] =
     "dummy-report/        simulated answers and their analysis\n"
     "manifest-sha256.txt  hashes of all files: sha256sum -c manifest-sha256.txt\n\n";
 
+/// When chains end early, and what becomes of inattentive participants.
+std::string rules_text(const Adaptive& adaptive) {
+  std::string text;
+  if (adaptive.until)
+    text += fmt::format(
+        "The chains of a word end once R̂ of their second halves is at most {:g} in every dimension "
+        "and each of them has {} {} or more.\n",
+        adaptive.until->r_hat, adaptive.until->at_least,
+        adaptive.method == ChainMethod::gibbs ? "sweeps" : "choices");
+  if (adaptive.attention_every > 0)
+    text += fmt::format(
+        "{} who fail more than {} attention {} {}.\n",
+        adaptive.across_participants ? "The sessions of participants" : "Participants",
+        adaptive.max_failed_checks, adaptive.max_failed_checks == 1 ? "check" : "checks",
+        adaptive.across_participants
+            ? "end, and their answers to incomplete steps are given by others"
+            : "are left out");
+  return text;
+}
+
 std::string analysis_text(const Adaptive& adaptive, const ChainDesign& design) {
   const std::size_t chains = design.words.size() * static_cast<std::size_t>(design.chains);
   std::string text =
       adaptive.across_participants
           ? fmt::format(
-                "The experiment ends when each of {} chains has {} steps, or when {} participants "
+                "The experiment ends when each of {} chains has {} steps{}, or when {} "
+                "participants "
                 "have taken part. Chains are cut to the length of the shortest chain of the "
                 "word.\n",
-                chains, design.steps, adaptive.participants)
+                chains, design.steps, design.until ? " or has ended before" : "",
+                adaptive.participants)
           : fmt::format(
                 "The experiment ends when {} participants have completed their chains, {} each of "
                 "{} "
                 "steps. Incomplete chains are left out.\n",
                 adaptive.participants, chains, design.steps);
+  text += rules_text(adaptive);
   text += fmt::format(
       "Samples are the points after each {}; the first half of each chain is left out. Reported "
       "are, "
@@ -66,7 +89,8 @@ void add_dummy_report(ZipFiles& files, const Adaptive& adaptive, const ChainStud
   const ChainAnswers answers = read_chain_answers({folder.path() / "steps.csv"}, study);
   write_tables(folder.path(),
                chain_tables(chain_results(study, answers,
-                                          {.across_participants = adaptive.across_participants})));
+                                          {.across_participants = adaptive.across_participants,
+                                           .max_failed_checks = adaptive.max_failed_checks})));
   add_folder(files, folder.path(), "dummy-report");
 }
 

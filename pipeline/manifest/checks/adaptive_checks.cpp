@@ -34,6 +34,8 @@ class AdaptiveExperimentCheck {
     check_kinds();
     check_dimensions();
     check_settings();
+    check_until();
+    check_attention();
     if (dimension_count(manifest_) > 0) check_length();
     check_demographics();
     return list_.take();
@@ -106,12 +108,41 @@ class AdaptiveExperimentCheck {
                 "plan for more participants, or for fewer people per step");
   }
 
+  void check_until() {
+    if (!adaptive_.until) return;
+    if (manifest_.places.values.contains(at("iterations")))
+      list_.add(at("iterations"), "the length of the chains is stated in `until` as well",
+                "remove one of them");
+    if (!adaptive_.across_participants)
+      list_.add(at("until"), "needs chains that a server follows",
+                "add across_participants: true, or use iterations");
+    if (adaptive_.chains < 2)
+      list_.add(at("until"), "R̂ compares the chains of a word, and there is one",
+                "use two chains or more, or iterations");
+    if (adaptive_.until->at_least > adaptive_.until->at_most)
+      list_.add(member_path(at("until"), "at_most"),
+                fmt::format("is less than at_least, {}", adaptive_.until->at_least),
+                "use a greater number");
+  }
+
+  void check_attention() {
+    for (std::size_t i = 0; i < adaptive_.words.size(); ++i)
+      if (adaptive_.words[i].first == "practice" || adaptive_.words[i].first == "check")
+        list_.add(at("words"),
+                  fmt::format("{} is the name of other trials", adaptive_.words[i].first),
+                  "use another id: {id: word}");
+    if (adaptive_.attention_every == 0 &&
+        manifest_.places.values.contains(member_path(at("attention"), "max_failed_checks")))
+      list_.add(member_path(at("attention"), "max_failed_checks"),
+                "has no effect without attention checks", "add every, or remove it");
+  }
+
   void check_length() {
     const double steps = chain_steps(manifest_);
     const double chains = static_cast<double>(adaptive_.words.size()) * adaptive_.chains;
     if (!adaptive_.across_participants && steps * chains > max_trials)
       list_.add(
-          at("iterations"),
+          at(length_key()),
           fmt::format("each participant would have {:.0f} trials; at most {:.0f} are possible",
                       steps * chains, max_trials),
           "use fewer iterations, chains or words, or across_participants: true");
@@ -120,10 +151,12 @@ class AdaptiveExperimentCheck {
     const double answers = steps * chains * people;
     if (answers > max_steps)
       list_.add(
-          at("iterations"),
+          at(length_key()),
           fmt::format("{:.0f} answers are needed; at most {:.0f} are possible", answers, max_steps),
           "use fewer iterations, chains, words or people");
   }
+
+  const char* length_key() const { return adaptive_.until ? "until" : "iterations"; }
 
   void check_demographics() {
     std::set<std::string> taken;

@@ -28,6 +28,14 @@ std::string dimensions_text(const Manifest& manifest) {
                          : fmt::format("{} principal components", space.components));
 }
 
+void describe_until(MethodsText& out, const ChainEnd& end, const char* what) {
+  out.say(fmt::format(
+      "The chains of a word ended once the potential scale reduction factor{} of their second "
+      "halves was at most {:g} in every dimension, but not before {} {}, and at the latest after "
+      "{}",
+      out.cite({"gelman1992"}), end.r_hat, end.at_least, what, end.at_most));
+}
+
 void describe_gibbs(MethodsText& out, const Adaptive& adaptive) {
   out.say(fmt::format(
       "Motions were led towards words by Gibbs sampling with people{}: in each trial, one "
@@ -36,6 +44,10 @@ void describe_gibbs(MethodsText& out, const Adaptive& adaptive) {
       "start and direction were random, to what looked most like the word, while the motion "
       "followed",
       out.cite({"harrison2020"})));
+  if (adaptive.until) {
+    out.say("Each sweep freed every dimension once, in random order");
+    return describe_until(out, *adaptive.until, "sweeps");
+  }
   out.say(fmt::format(
       "Each sweep freed every dimension once, in random order, and a chain had {}",
       adaptive.iterations == 1 ? "one sweep" : fmt::format("{} sweeps", adaptive.iterations)));
@@ -49,6 +61,7 @@ void describe_mcmc(MethodsText& out, const Adaptive& adaptive) {
       "a proposal near it, drawn from a normal distribution with a standard deviation of {:g} % of "
       "the range of each dimension and reflected at its ends",
       out.cite({"sanborn2008"}), 100.0 * adaptive.deviation));
+  if (adaptive.until) return describe_until(out, *adaptive.until, "choices");
   out.say(fmt::format("A chain had {} choices", adaptive.iterations));
 }
 
@@ -100,6 +113,16 @@ void describe_adaptive(MethodsText& out) {
   if (adaptive.practice > 0)
     out.say(fmt::format("{} practice {} came first", adaptive.practice,
                         adaptive.practice == 1 ? "trial" : "trials"));
+  if (adaptive.attention_every > 0)
+    out.say(fmt::format(
+        "About every {} trials, an attention check asked participants to {}; {} who failed more "
+        "than {}",
+        adaptive.attention_every,
+        adaptive.method == ChainMethod::gibbs ? "move the slider to one end"
+                                              : "choose a certain figure",
+        adaptive.across_participants ? "others took the place of those"
+                                     : "the analysis leaves out those",
+        count_of(static_cast<std::size_t>(adaptive.max_failed_checks), "check", "checks")));
 }
 
 }  // namespace mien::pipeline

@@ -77,6 +77,29 @@ class SessionPlanner {
   const Adaptive& adaptive() const { return *manifest_.adaptive; }
   const std::string& participant() const { return session_.plan.participant; }
 
+  /// Adds a trial that counts, and an attention check where one follows it.
+  void add_main(const std::string& block, PlannedStep step) {
+    add_trial(block, std::move(step));
+    if (std::ranges::find(check_places_, main_trials_++) != check_places_.end()) add_check(block);
+  }
+
+  void place_checks(std::size_t trials) {
+    check_places_ = places_of_checks(trials, static_cast<std::size_t>(adaptive().attention_every),
+                                     session_.plan.seed, "attention");
+  }
+
+  void add_check(const std::string& block) {
+    const ChainName name{check_word, 1, participant()};
+    if (checks_ == 0) session_.starts[name.key()] = chain_start(design_, at_examples_, name);
+    add_trial(block, {name, checks_, step_view(design_, name, checks_, 0)});
+    Trial& trial = session_.plan.trials.back();
+    trial.is_check = true;
+    const std::size_t side =
+        random_choice(2, session_.plan.seed, "side of check", static_cast<std::uint64_t>(checks_));
+    trial.expected = word_of(check_side_words, side == 0 ? CheckSide::left : CheckSide::right);
+    ++checks_;
+  }
+
   void add_trial(const std::string& block, PlannedStep step) {
     session_.plan.trials.push_back({.number = static_cast<int>(session_.plan.trials.size()) + 1,
                                     .block = block,
@@ -99,11 +122,14 @@ class SessionPlanner {
 
   /// The server chooses the steps.
   void add_open_trials() {
-    for (int i = 0; i < adaptive().trials_per_participant; ++i) add_trial("main", {});
+    place_checks(static_cast<std::size_t>(adaptive().trials_per_participant));
+    for (int i = 0; i < adaptive().trials_per_participant; ++i) add_main("main", {});
   }
 
   void add_own_chains() {
     const auto index = static_cast<std::size_t>(session_.plan.index);
+    place_checks(design_.words.size() * static_cast<std::size_t>(design_.chains) *
+                 static_cast<std::size_t>(design_.steps));
     for (const std::size_t at : williams_row(design_.words.size(), index))
       add_block(design_.words[at]);
   }
@@ -118,7 +144,7 @@ class SessionPlanner {
       for (const std::size_t at : random_order(static_cast<std::size_t>(design_.chains), seed,
                                                fmt::format("chains of step {}", step))) {
         const ChainName name{word, static_cast<int>(at) + 1, participant()};
-        add_trial(word, {name, step, step_view(design_, name, step, 0)});
+        add_main(word, {name, step, step_view(design_, name, step, 0)});
       }
   }
 
@@ -126,6 +152,9 @@ class SessionPlanner {
   const ChainDesign& design_;
   const Eigen::MatrixXd& at_examples_;
   ChainSession session_;
+  std::vector<std::size_t> check_places_;  ///< of the trials that checks follow
+  std::size_t main_trials_ = 0;
+  int checks_ = 0;
 };
 
 }  // namespace
@@ -143,6 +172,10 @@ ChoiceSettings ChainDesign::choices(const std::string& word, const std::string& 
   return {.space = space, .deviation = deviation, .seed = chain_seed(*this, word, participant)};
 }
 
+std::size_t ChainDesign::steps_per_sweep() const {
+  return method == ChainMethod::gibbs ? dimensions.size() : 1;
+}
+
 ChainDesign chain_design(const Manifest& manifest, const Eigen::MatrixXd& at_examples) {
   const Adaptive& adaptive = adaptive_of(manifest);
   ChainDesign design{.method = adaptive.method,
@@ -154,7 +187,9 @@ ChainDesign chain_design(const Manifest& manifest, const Eigen::MatrixXd& at_exa
                                       ? SliderAggregate::mean
                                       : SliderAggregate::median,
                      .deviation = adaptive.deviation,
-                     .seed = manifest.seed};
+                     .seed = manifest.seed,
+                     .has_relative_values = adaptive.space.kind == MotionSpace::Kind::weights,
+                     .until = adaptive.until};
   for (const auto& [id, shown] : adaptive.words) design.words.push_back(id);
   for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
     if (at_examples.size() == 0) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,11 @@ struct ChainDesign {
   int people_per_step = 1;
   SliderAggregate aggregate = SliderAggregate::median;
   double deviation = 0.15;
-  std::uint64_t seed = 0;  ///< of the study
+  std::uint64_t seed = 0;            ///< of the study
+  bool has_relative_values = false;  ///< weights of examples: only their ratios count
+  std::optional<ChainEnd> until;     ///< when chains end before their last step
 
+  std::size_t steps_per_sweep() const;
   /// Settings of the chains of a word; `participant` as in ChainName.
   GibbsSettings gibbs(const std::string& word, const std::string& participant) const;
   ChoiceSettings choices(const std::string& word, const std::string& participant) const;
@@ -69,8 +73,19 @@ struct StepView {
 /// and these.
 StepView step_view(const ChainDesign& design, const ChainName& name, int step, int person);
 
+/// The word, in tables and records, of attention checks.
+inline constexpr char check_word[] = "check";
+
+/// What an attention check asks for: the slider at an end, or the figure at a side.
+enum class CheckSide { left, right };
+
+inline constexpr Words<CheckSide> check_side_words = {{"left", CheckSide::left},
+                                                      {"right", CheckSide::right}};
+
 /// A trial of a session. Across participants, trials that count have an empty word: a server
 /// assigns their step.
+/// The attention checks of a session are steps of a chain of their own, check_word/1, all at its
+/// start.
 struct PlannedStep {
   ChainName name;
   int step = 0;

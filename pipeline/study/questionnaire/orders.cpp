@@ -33,6 +33,18 @@ std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed,
   return order;
 }
 
+std::vector<std::size_t> places_of_checks(std::size_t trials, std::size_t every, std::uint64_t seed,
+                                          std::string_view name) {
+  std::vector<std::size_t> places;
+  if (every == 0) return places;
+  const std::size_t reach = every / 4;
+  for (std::size_t after = every; after < trials; after += every) {
+    const std::size_t moved = after - reach + random_choice(2 * reach + 1, seed, name, after);
+    if (moved < trials) places.push_back(moved - 1);
+  }
+  return places;
+}
+
 std::size_t williams_rows(std::size_t count) { return count % 2 == 0 ? count : 2 * count; }
 
 std::vector<std::size_t> williams_row(std::size_t count, std::size_t row) {

@@ -15,6 +15,12 @@ std::vector<std::size_t> random_order(std::size_t count, std::uint64_t seed, std
 std::size_t random_choice(std::size_t count, std::uint64_t seed, std::string_view name,
                           std::uint64_t index = 0);
 
+/// The places, from 0, of the trials that attention checks follow: one after every `every` trials,
+/// moved back or forward at random by up to a quarter of that, none after the last. None at all if
+/// `every` is 0.
+std::vector<std::size_t> places_of_checks(std::size_t trials, std::size_t every, std::uint64_t seed,
+                                          std::string_view name);
+
 /// A derived seed for a named random decision: a hash of the seed and the name.
 std::uint64_t hashed_seed(std::uint64_t seed, std::string_view name);
 

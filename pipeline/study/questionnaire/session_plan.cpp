@@ -197,18 +197,10 @@ class Planner {
     if (is_flipped(name, static_cast<int>(times))) std::swap(trial.stimuli[0], trial.stimuli[1]);
   }
 
-  /// The trials of the main part that attention checks follow; none after the last.
+  /// The trials of the main part that attention checks follow.
   std::vector<std::size_t> attention_places(std::size_t trials) const {
-    std::vector<std::size_t> places;
-    const auto every = static_cast<std::size_t>(questionnaire_.attention_every);
-    if (every == 0) return places;
-    const std::size_t reach = every / 4;
-    for (std::size_t after = every; after < trials; after += every) {
-      const std::size_t moved =
-          after - reach + random_choice(2 * reach + 1, plan_.seed, in_round("attention"), after);
-      if (moved < trials) places.push_back(moved - 1);
-    }
-    return places;
+    return places_of_checks(trials, static_cast<std::size_t>(questionnaire_.attention_every),
+                            plan_.seed, in_round("attention"));
   }
 
   /// A name of random numbers that differ between the scales of continuous trials.

@@ -232,7 +232,7 @@ bool SessionStore::mark_begun(int session, const std::string& entry_route, const
 }
 
 RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& ended,
-                                 const std::optional<StoredStep>& step) {
+                                 const StepChange& change) {
   const std::lock_guard lock(mutex_);
   Transaction transaction(database_);
   Statement stored(database_, "SELECT content FROM records WHERE session = ?1 AND name = ?2");
@@ -242,7 +242,12 @@ RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& 
   count.with(record.session).step();
   if (count.number(0) != record.position) return RecordOutcome::out_of_order;
   insert_record(database_, record);
-  if (step) insert_step(database_, *step);
+  if (change.added) insert_step(database_, *change.added);
+  for (const StoredStep& step : change.removed) {
+    Statement removed(database_,
+                      "DELETE FROM steps WHERE chain = ?1 AND step = ?2 AND person = ?3");
+    removed.with(step.chain, step.step, step.person).finish();
+  }
   if (!ended.empty()) {
     Statement end(database_, "UPDATE sessions SET ended = ?2 WHERE number = ?1");
     end.with(record.session, ended).finish();

@@ -40,6 +40,12 @@ struct StoredStep {
   std::optional<int> session;  ///< index of the session; unset after withdrawal
 };
 
+/// What a record changes in the chains.
+struct StepChange {
+  std::optional<StoredStep> added;  ///< nobody may have answered this step before
+  std::vector<StoredStep> removed;  ///< answers that no longer count; their content is not read
+};
+
 /// The outcome of storing a record.
 enum class RecordOutcome {
   stored,       ///< the record was stored and flushed to disk
@@ -81,10 +87,9 @@ class SessionStore {
   bool mark_begun(int session, const std::string& entry_route, const std::string& now);
 
   /// Stores a record of an existing session. `ended` is stored with it, if the record ends the
-  /// session early, and `step` if it answers a step of a chain, which nobody may have answered
-  /// before.
+  /// session early, and so is what it changes in the chains.
   RecordOutcome keep(const StoredRecord& record, const std::string& ended = "",
-                     const std::optional<StoredStep>& step = std::nullopt);
+                     const StepChange& change = {});
 
   /// Deletes all records of a session and the times at which it began, removes its number from
   /// answers to steps, and stores how it ended.

@@ -26,8 +26,10 @@ bool is_within(double value, const DimensionRange& range) {
 /// Reads the rows of one table.
 class AnswerReader {
  public:
-  AnswerReader(const CsvTable& table, const ChainStudy& study, std::vector<Fault>& faults)
-      : table_(table), design_(study.design), faults_(faults) {
+  /// Adds failed attention checks to `failed_checks`: participant and trial.
+  AnswerReader(const CsvTable& table, const ChainStudy& study, std::vector<Fault>& faults,
+               std::set<std::pair<std::string, std::string>>& failed_checks)
+      : table_(table), design_(study.design), faults_(faults), failed_checks_(failed_checks) {
     wanted_design_ = study.experiment.at("design");
     for (const Column& column : chain_steps_form.columns) {
       const std::string name(column.name);
@@ -35,7 +37,7 @@ class AnswerReader {
     }
   }
 
-  /// Nullopt for practice and after a fault.
+  /// Nullopt for practice, attention checks and after a fault.
   std::optional<ReadAnswer> read(const std::vector<CsvField>& row) {
     row_ = &row;
     const std::size_t before = faults_.size();
@@ -48,6 +50,10 @@ class AnswerReader {
     of.design = field("design").text;
     of.simulated = truth("simulated");
     of.is_practice = truth("is_practice");
+    if (truth("is_check")) {
+      if (!truth("passed")) failed_checks_.emplace(of.participant, field("trial").text);
+      return std::nullopt;
+    }
     if (of.is_practice) return std::nullopt;
     of.answer.word = known("word", design_.words);
     of.answer.chain = count("chain", 1, design_.chains);
@@ -146,6 +152,7 @@ class AnswerReader {
   std::string wanted_design_;
   bool has_other_design_ = false;
   std::vector<Fault>& faults_;
+  std::set<std::pair<std::string, std::string>>& failed_checks_;
   std::map<std::string, int> columns_;
   const std::vector<CsvField>* row_ = nullptr;
 };
@@ -245,9 +252,10 @@ ChainAnswers read_chain_answers(const std::vector<std::filesystem::path>& files,
   std::vector<Fault> faults;
   std::set<decltype(content_of(ReadAnswer()))> known;
   std::optional<bool> are_simulated;
+  std::set<std::pair<std::string, std::string>> failed_checks;
   for (const std::filesystem::path& file : files) {
     const CsvTable table = read_csv(file);
-    AnswerReader reader(table, study, faults);
+    AnswerReader reader(table, study, faults, failed_checks);
     for (const auto& row : table.rows) {
       std::optional<ReadAnswer> answer = reader.read(row);
       if (!answer) continue;
@@ -262,8 +270,10 @@ ChainAnswers read_chain_answers(const std::vector<std::filesystem::path>& files,
   }
   if (!faults.empty()) throw Faults(std::move(faults));
   if (read.answers.empty())
-    throw Error({files.front().string()}, "there are no answers apart from practice",
+    throw Error({files.front().string()},
+                "there are no answers apart from practice and attention checks",
                 "pass the tables of steps that the pages saved");
+  for (const auto& [participant, trial] : failed_checks) ++read.failed_checks[participant];
   read.simulated = are_simulated.value_or(false);
   return read;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace mien::pipeline {
 
-/// An answer of a file, without practice.
+/// An answer of a file, without practice and attention checks.
 struct ReadAnswer {
   ChainAnswer of;
   Place place;
@@ -19,6 +20,7 @@ struct ReadAnswer {
 /// The answers of an experiment.
 struct ChainAnswers {
   std::vector<ReadAnswer> answers;
+  std::map<std::string, int> failed_checks;  ///< number of failed attention checks by participant
   bool simulated = false;
 };
 

@@ -5,30 +5,14 @@
 
 #include "pipeline/base/drawing/canvas.h"
 #include "pipeline/base/drawing/palette.h"
-#include "pipeline/study/chains/experiment/chain_results.h"
+#include "pipeline/study/chains/experiment/chain_figure_parts.h"
 
 namespace mien::pipeline {
 
 namespace {
 
-constexpr double margin = 20.0;
-constexpr double header = 44.0;
-constexpr double names_width = 110.0;
-
-void draw_header(Canvas& canvas, const ChainResults& results, const std::string& title,
-                 const std::string& words, double width) {
-  canvas.text({margin, margin + 12.0}, title, {.size = 12.0, .bold = true});
-  canvas.text({margin, margin + 27.0}, words, {.size = 8.5, .colour = quiet_ink});
-  if (results.simulated) draw_simulated_mark(canvas, {width - margin, margin}, "Simulated answers");
-}
-
 std::string range_text(const DimensionRange& range) {
   return fmt::format("{:.2f}–{:.2f}", range.low, range.high);
-}
-
-/// The share of a value in the range of its dimension.
-double share_of(const DimensionRange& range, double value) {
-  return std::clamp((value - range.low) / (range.high - range.low), 0.0, 1.0);
 }
 
 // Traces of chains.
@@ -38,13 +22,11 @@ constexpr double panel_height = 56.0;
 constexpr double panel_gap = 12.0;
 
 void draw_panel(Canvas& canvas, const ChainResults& results, const std::string& word,
-                std::size_t dimension, const Box& box) {
+                std::size_t dimension, double sweeps, const Box& box) {
   const DimensionRange& range = results.design.space[dimension];
   canvas.fill(box, panel);
-  const bool is_gibbs = results.design.method == ChainMethod::gibbs;
-  const std::size_t every = is_gibbs ? results.design.dimensions.size() : 1;
-  const double sweeps =
-      std::max(1.0, static_cast<double>(results.design.steps) / static_cast<double>(every));
+  const std::size_t every = results.design.steps_per_sweep();
+  const int unused = results.of(word).discarded;
   for (const ChainPath& path : results.paths) {
     if (path.name.word != word) continue;
     std::vector<Point> used, discarded;
@@ -52,7 +34,7 @@ void draw_panel(Canvas& canvas, const ChainResults& results, const std::string& 
       const std::size_t sweep = step / every;
       const Point at = {box.x + box.width * (static_cast<double>(sweep) + 0.5) / sweeps,
                         box.bottom() - box.height * share_of(range, path.points[step][dimension])};
-      const bool is_used = static_cast<int>(sweep) >= results.discarded;
+      const bool is_used = static_cast<int>(sweep) >= unused;
       // The line goes on from what is discarded.
       if (!is_used || used.empty()) discarded.push_back(at);
       if (is_used) used.push_back(at);
@@ -61,6 +43,25 @@ void draw_panel(Canvas& canvas, const ChainResults& results, const std::string& 
     if (used.size() > 1) canvas.polyline(used, {.width = 0.7, .colour = created_colours.line});
     if (used.size() == 1) canvas.disc(used.front(), 1.2, created_colours.line);
   }
+}
+
+/// At least 1.
+double longest_sweeps(const ChainResults& results) {
+  std::size_t longest = 1;
+  for (const ChainPath& path : results.paths)
+    longest = std::max(longest, path.points.size() / results.design.steps_per_sweep());
+  return static_cast<double>(longest);
+}
+
+std::string chains_subtitle(const ChainResults& results) {
+  const int unused = results.words.front().discarded;
+  const bool are_equal = std::ranges::all_of(
+      results.words, [&](const WordSamples& word) { return word.discarded == unused; });
+  std::string text =
+      results.design.method == ChainMethod::gibbs ? "Points by sweep" : "Points by choice";
+  if (!are_equal) return text + "; grey: not used";
+  if (unused > 0) text += fmt::format("; grey: the first {}, which are not used", unused);
+  return text;
 }
 
 // Samples and prototypes.
@@ -99,21 +100,16 @@ Plot chains_plot(const ChainResults& results) {
   const auto dimensions = static_cast<double>(results.design.dimensions.size());
   const auto words = static_cast<double>(results.words.size());
   const double width =
-      std::max(2.0 * margin + names_width + dimensions * (panel_width + panel_gap), 420.0);
-  const double height = 2.0 * margin + header + 16.0 + words * (panel_height + panel_gap) + 14.0;
-  const char* unit =
-      results.design.method == ChainMethod::gibbs ? "Points by sweep" : "Points by choice";
-  return {"Chains", width, height, [&results, width, unit](Canvas& canvas) {
-            draw_header(canvas, results, "Chains",
-                        results.discarded == 0
-                            ? std::string(unit)
-                            : fmt::format("{}; grey: the first {}, which are not used", unit,
-                                          results.discarded),
-                        width);
-            const double top = margin + header + 16.0;
+      std::max(2.0 * figure_margin + names_width + dimensions * (panel_width + panel_gap), 420.0);
+  const double height =
+      2.0 * figure_margin + figure_header + 16.0 + words * (panel_height + panel_gap) + 14.0;
+  const double sweeps = longest_sweeps(results);
+  return {"Chains", width, height, [&results, width, sweeps](Canvas& canvas) {
+            draw_figure_header(canvas, results, "Chains", chains_subtitle(results), width);
+            const double top = figure_margin + figure_header + 16.0;
             for (std::size_t d = 0; d < results.design.dimensions.size(); ++d) {
               const double x =
-                  margin + names_width + static_cast<double>(d) * (panel_width + panel_gap);
+                  figure_margin + names_width + static_cast<double>(d) * (panel_width + panel_gap);
               canvas.text({x, top - 6.0}, results.design.dimensions[d],
                           {.size = 8.0, .bold = true, .max_width = panel_width - 44.0});
               canvas.text({x + panel_width, top - 6.0}, range_text(results.design.space[d]),
@@ -121,9 +117,9 @@ Plot chains_plot(const ChainResults& results) {
               for (std::size_t w = 0; w < results.words.size(); ++w) {
                 const double y = top + static_cast<double>(w) * (panel_height + panel_gap);
                 if (d == 0)
-                  canvas.text({margin, y + 0.5 * panel_height + 3.0}, results.words[w].word,
+                  canvas.text({figure_margin, y + 0.5 * panel_height + 3.0}, results.words[w].word,
                               {.size = 9.0, .bold = true, .max_width = names_width - 8.0});
-                draw_panel(canvas, results, results.words[w].word, d,
+                draw_panel(canvas, results, results.words[w].word, d, sweeps,
                            {x, y, panel_width, panel_height});
               }
             }
@@ -133,26 +129,26 @@ Plot chains_plot(const ChainResults& results) {
 Plot prototypes_plot(const ChainResults& results) {
   const auto words = static_cast<double>(results.words.size());
   const double group = 20.0 + words * line_height + 8.0;
-  const double width = 2.0 * margin + names_width + axis_width + values_width;
-  const double height =
-      2.0 * margin + header + static_cast<double>(results.design.dimensions.size()) * group + 6.0;
+  const double width = 2.0 * figure_margin + names_width + axis_width + values_width;
+  const double height = 2.0 * figure_margin + figure_header +
+                        static_cast<double>(results.design.dimensions.size()) * group + 6.0;
   return {"Prototypes", width, height, [&results, group, width](Canvas& canvas) {
-            draw_header(canvas, results, "Prototypes",
-                        "Means of the samples with 95 % intervals; ticks: samples", width);
+            draw_figure_header(canvas, results, "Prototypes",
+                               "Means of the samples with 95 % intervals; ticks: samples", width);
             for (std::size_t d = 0; d < results.design.dimensions.size(); ++d) {
               const DimensionRange& range = results.design.space[d];
-              const double top = margin + header + static_cast<double>(d) * group;
-              canvas.text({margin, top + 12.0}, results.design.dimensions[d],
+              const double top = figure_margin + figure_header + static_cast<double>(d) * group;
+              canvas.text({figure_margin, top + 12.0}, results.design.dimensions[d],
                           {.size = 8.5, .bold = true});
-              const double axis = margin + names_width;
+              const double axis = figure_margin + names_width;
               canvas.text({axis, top + 12.0}, fmt::format("{:.2f}", range.low),
                           {.size = 7.0, .colour = quiet_ink, .align = Align::centre});
               canvas.text({axis + axis_width, top + 12.0}, fmt::format("{:.2f}", range.high),
                           {.size = 7.0, .colour = quiet_ink, .align = Align::centre});
               for (std::size_t w = 0; w < results.words.size(); ++w)
                 draw_word(canvas, results.words[w], d, range,
-                          {margin, top + 18.0 + static_cast<double>(w) * line_height,
-                           width - 2.0 * margin, line_height});
+                          {figure_margin, top + 18.0 + static_cast<double>(w) * line_height,
+                           width - 2.0 * figure_margin, line_height});
             }
           }};
 }

@@ -7,20 +7,13 @@
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
+#include "pipeline/study/chains/experiment/sample_quantile.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 using Points = std::vector<std::vector<double>>;
-
-/// Of order statistics, linear between them (Hyndman and Fan 1996, type 7).
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(place));
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
-}
 
 double deviation_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
@@ -38,22 +31,22 @@ DimensionSamples dimension_samples(ChainValues values) {
   for (const std::vector<double>& chain : values) all.insert(all.end(), chain.begin(), chain.end());
   samples.deviation = deviation_of(all);
   std::ranges::sort(all);
-  samples.low = quantile(all, 0.05);
-  samples.median = quantile(all, 0.5);
-  samples.high = quantile(all, 0.95);
+  samples.low = quantile_of(all, 0.05);
+  samples.median = quantile_of(all, 0.5);
+  samples.high = quantile_of(all, 0.95);
   samples.values = std::move(values);
   return samples;
 }
 
-std::size_t steps_per_sweep(const ChainDesign& design) {
-  return design.method == ChainMethod::gibbs ? design.dimensions.size() : 1;
-}
-
 WordSamples word_samples(const ChainDesign& design, const std::string& word,
-                         const std::vector<Points>& chains, std::size_t discarded) {
+                         const std::vector<Points>& chains, int discarded) {
   WordSamples samples{.word = word, .chains = static_cast<int>(chains.size())};
+  const std::size_t per_sweep = design.steps_per_sweep();
+  samples.discarded =
+      discarded >= 0 ? discarded : static_cast<int>(shortest_sweeps(chains, per_sweep) / 2);
   for (std::size_t d = 0; d < design.dimensions.size(); ++d) {
-    ChainValues values = chain_values(chains, d, steps_per_sweep(design), discarded);
+    ChainValues values =
+        chain_values(chains, d, per_sweep, static_cast<std::size_t>(samples.discarded));
     if (values.empty() || values.front().empty())
       throw Error(fmt::format("there are no samples of {}", motion::in_quotes(word)),
                   "collect more answers, or discard fewer sweeps");
@@ -97,21 +90,35 @@ std::vector<WordDistance> distances_of(const ChainResults& results) {
 
 }  // namespace
 
+SampleDensity DimensionSamples::density(const DimensionRange& range) const {
+  std::vector<double> all;
+  for (const std::vector<double>& chain : values) all.insert(all.end(), chain.begin(), chain.end());
+  return sample_density(all, effective, range);
+}
+
 std::vector<double> WordSamples::prototype() const {
   std::vector<double> point;
   for (const DimensionSamples& dimension : dimensions) point.push_back(dimension.mean.mean);
   return point;
 }
 
+const WordSamples& ChainResults::of(const std::string& word) const {
+  return *std::ranges::find(words, word, &WordSamples::word);
+}
+
 ChainResults chain_results(const ChainStudy& study, const ChainAnswers& answers,
                            const SampleChoice& choice) {
   ChainResults results{.design = study.design, .simulated = answers.simulated};
   results.paths = chain_paths(study, choice.across_participants, answers);
-  if (study.dimensions.kind == motion::InterfaceKind::weights)
+  if (study.design.has_relative_values)
     for (ChainPath& path : results.paths) normalise(path.points);
-  const std::size_t sweeps =
-      static_cast<std::size_t>(study.design.steps) / steps_per_sweep(study.design);
-  results.discarded = choice.discarded >= 0 ? choice.discarded : static_cast<int>(sweeps / 2);
+  for (const auto& [participant, failed] : answers.failed_checks)
+    if (failed > choice.max_failed_checks) results.inattentive.push_back(participant);
+  if (!choice.across_participants)
+    std::erase_if(results.paths, [&](const ChainPath& path) {
+      return std::ranges::find(results.inattentive, path.name.participant) !=
+             results.inattentive.end();
+    });
   for (const std::string& word : study.design.words) {
     std::vector<Points> chains;
     for (const ChainPath& path : results.paths) {
@@ -121,8 +128,7 @@ ChainResults chain_results(const ChainStudy& study, const ChainAnswers& answers,
       else
         ++results.incomplete;
     }
-    results.words.push_back(
-        word_samples(study.design, word, chains, static_cast<std::size_t>(results.discarded)));
+    results.words.push_back(word_samples(study.design, word, chains, choice.discarded));
   }
   results.distances = distances_of(results);
   return results;

@@ -9,6 +9,7 @@
 #include "pipeline/base/documents/table.h"
 #include "pipeline/base/drawing/plot.h"
 #include "pipeline/study/chains/experiment/chain_answers.h"
+#include "pipeline/study/chains/experiment/sample_density.h"
 
 namespace mien::pipeline {
 
@@ -20,13 +21,16 @@ struct DimensionSamples {
   double r_hat;              ///< scale_reduction; NaN if unknown
   double effective;          ///< effective_sample_size; NaN if unknown
   ChainValues values;        ///< of each chain
+
+  SampleDensity density(const DimensionRange& range) const;
 };
 
 /// The samples of a word.
 struct WordSamples {
   std::string word;
-  int chains = 0;   ///< number of chains that are used
-  int samples = 0;  ///< of all chains, in each dimension
+  int chains = 0;     ///< number of chains that are used
+  int samples = 0;    ///< of all chains, in each dimension
+  int discarded = 0;  ///< sweeps at the beginning of each chain that are not samples
   std::vector<DimensionSamples> dimensions;
 
   /// The mean of the samples: what the word looks like.
@@ -45,16 +49,22 @@ struct ChainResults {
   std::vector<ChainPath> paths;  ///< all chains
   std::vector<WordSamples> words;
   std::vector<WordDistance> distances;
-  int discarded = 0;   ///< sweeps at the beginning of each chain that are not samples
   int incomplete = 0;  ///< chains that are left out, since they are not complete
+  /// Participants who failed too many attention checks. Their own chains are left out; chains
+  /// across participants have those of their answers that a server took before.
+  std::vector<std::string> inattentive = {};
   bool simulated = false;
+
+  const WordSamples& of(const std::string& word) const;
 };
 
 /// Which samples are used.
 struct SampleChoice {
-  /// Sweeps (or choices) at the beginning of each chain that are left out; −1: the first half.
+  /// Sweeps (or choices) at the beginning of each chain that are left out; −1: the first half of
+  /// those that all chains of the word have.
   int discarded = -1;
   bool across_participants = false;
+  int max_failed_checks = 1;  ///< participants who fail more are inattentive
 };
 
 /// A sample is the point at the end of a sweep over all dimensions (in Markov chain Monte Carlo,
@@ -64,12 +74,16 @@ struct SampleChoice {
 ChainResults chain_results(const ChainStudy& study, const ChainAnswers& answers,
                            const SampleChoice& choice);
 
-/// samples.csv, prototypes.csv and distances.csv.
+/// samples.csv, prototypes.csv, densities.csv and distances.csv.
 std::vector<WrittenTable> chain_tables(const ChainResults& results);
 
 /// For each word a panel per dimension, with the chains over their sweeps; discarded ones are
 /// pale.
 Plot chains_plot(const ChainResults& results);
+
+/// For each dimension the density of every word's samples and, of two or more dimensions, for each
+/// word a map of the density of its samples in the plane in which all samples vary most.
+Plot densities_plot(const ChainResults& results);
 
 /// For each dimension the samples of every word, with prototypes and their intervals.
 Plot prototypes_plot(const ChainResults& results);

@@ -85,9 +85,10 @@ ordered_json session_json(const ChainDesign& design, const ChainSession& session
     const Trial& trial = session.plan.trials[i];
     ordered_json json = {{"number", trial.number},
                          {"block", trial.block},
-                         {"kind", trial.kind_name()},
+                         {"kind", chain_trials.name},
                          {"media", ordered_json::array()},
                          {"practice", trial.practice}};
+    if (trial.is_attention_check()) json["expected"] = trial.expected;
     if (!session.steps[i].name.word.empty()) json.update(step_json(design, session.steps[i]));
     trials.push_back(std::move(json));
   }
@@ -121,6 +122,11 @@ ordered_json chains_json(const Manifest& manifest, const ChainStudy& study) {
                        {"deviation", adaptive.deviation},
                        // As a text: numbers of JavaScript have fewer digits.
                        {"seed", std::to_string(study.design.seed)}};
+  if (adaptive.attention_every > 0) json["max_failed_checks"] = adaptive.max_failed_checks;
+  if (adaptive.until)
+    json["until"] = {{"r_hat", adaptive.until->r_hat},
+                     {"at_least", adaptive.until->at_least},
+                     {"at_most", adaptive.until->at_most}};
   if (adaptive.across_participants) {
     json["answer_within_s"] = adaptive.answer_within_s;
     ordered_json starts = ordered_json::object();

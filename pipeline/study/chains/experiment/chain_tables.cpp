@@ -13,10 +13,7 @@ struct SampleRow {
   std::size_t step;
   std::size_t dimension;
 
-  std::size_t sweep() const {
-    const bool is_gibbs = results.design.method == ChainMethod::gibbs;
-    return is_gibbs ? step / results.design.dimensions.size() : step;
-  }
+  std::size_t sweep() const { return step / results.design.steps_per_sweep(); }
 };
 
 constexpr auto samples_columns = table_of<SampleRow>(
@@ -29,7 +26,9 @@ constexpr auto samples_columns = table_of<SampleRow>(
      {"sweep", "", "sweep over the dimensions, from 0; of choices, the step",
       [](auto& r) { return r.sweep(); }},
      {"is_discarded", "0/1", "1: at the beginning of the chain, and not used",
-      [](auto& r) { return static_cast<int>(r.sweep()) < r.results.discarded; }},
+      [](auto& r) {
+        return static_cast<int>(r.sweep()) < r.results.of(r.path.name.word).discarded;
+      }},
      {"dimension", "", "dimension of the space",
       [](auto& r) { return r.results.design.dimensions[r.dimension]; }},
      {"value", "0–1", "value after the step",
@@ -76,6 +75,36 @@ constexpr auto prototypes_columns = table_of<PrototypeRow>(
       [](auto& r) { return r.of().effective; }},
      {"simulated", "0/1", "1: simulated answers", [](auto& r) { return r.results.simulated; }}});
 
+struct DensityRow {
+  const ChainResults& results;
+  const std::string& word;
+  std::size_t dimension;
+  double value, density;
+};
+
+constexpr auto densities_columns = table_of<DensityRow>(
+    "densities.csv", "word, dimension and value",
+    {{"word", "", "id of the word", [](auto& r) { return r.word; }},
+     {"dimension", "", "dimension of the space",
+      [](auto& r) { return r.results.design.dimensions[r.dimension]; }},
+     {"value", "0–1", "value of the dimension", [](auto& r) { return r.value; }},
+     {"density", "",
+      "probability density of the samples there (kernel estimate, reflected at the ends of the "
+      "range)",
+      [](auto& r) { return r.density; }},
+     {"simulated", "0/1", "1: simulated answers", [](auto& r) { return r.results.simulated; }}});
+
+std::vector<DensityRow> density_rows(const ChainResults& results) {
+  std::vector<DensityRow> rows;
+  for (const WordSamples& word : results.words)
+    for (std::size_t d = 0; d < word.dimensions.size(); ++d) {
+      const SampleDensity of = word.dimensions[d].density(results.design.space[d]);
+      for (std::size_t i = 0; i < of.places.size(); ++i)
+        rows.push_back({results, word.word, d, of.places[i], of.density[i]});
+    }
+  return rows;
+}
+
 struct DistanceRow {
   const ChainResults& results;
   const WordDistance& of;
@@ -110,7 +139,7 @@ std::vector<WrittenTable> chain_tables(const ChainResults& results) {
   std::vector<DistanceRow> distances;
   for (const WordDistance& one : results.distances) distances.push_back({results, one});
   return {samples_columns.of(samples), prototypes_columns.of(prototypes),
-          distances_columns.of(distances)};
+          densities_columns.of(density_rows(results)), distances_columns.of(distances)};
 }
 
 }  // namespace mien::pipeline

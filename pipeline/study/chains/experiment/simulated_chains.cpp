@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double usual_deviation = 0.12;
+/// The probability of passing an attention check, as in simulated questionnaires.
+constexpr double attention_pass_rate = 0.98;
 
 /// A value of a normal distribution truncated to a range, at a share of its probability.
 double truncated_value(double mean, double deviation, const DimensionRange& range, double share) {
@@ -60,16 +63,44 @@ class Simulation {
       record.value =
           stepped(truncated_value(truth.mean[d], truth.deviation[d], design_.space[d], chance), d);
     } else {
-      record.is_proposal_first = step.view.is_proposal_first;
-      for (std::size_t d = 0; d < point.size(); ++d) {
-        const DimensionRange& range = design_.space[d];
-        const double by = design_.deviation * (range.high - range.low) * step.view.normals[d];
-        record.proposal.push_back(reflected(point[d] + by, range));
-      }
+      propose(record, step.view);
       record.chose_proposal =
           chance < luce_probability(log_density(truth, record.proposal), log_density(truth, point));
     }
     return record;
+  }
+
+  /// The answer to an attention check of a session.
+  ChainRecord checked(const ChainSession& session, std::size_t trial) const {
+    const PlannedStep& step = session.steps[trial];
+    const std::string& expected = session.plan.trials[trial].expected;
+    ChainRecord record{.word = step.name.word,
+                       .chain = step.name.chain,
+                       .step = step.step,
+                       .point = session.starts.at(step.name.key())};
+    const bool is_left = expected == word_of(check_side_words, CheckSide::left);
+    const bool passes =
+        uniform(design_.seed, fmt::format("attention of {} trial {}", session.plan.participant,
+                                          trial)) < attention_pass_rate;
+    if (design_.method == ChainMethod::gibbs) {
+      record.dimension = step.view.dimension;
+      record.slider = step.view.slider;
+      record.moves = 1;
+      const DimensionRange& range = design_.space[record.dimension];
+      const bool is_low = (is_left == passes) != step.view.slider.is_reversed;
+      record.value = is_low ? range.low : range.high;
+    } else {
+      propose(record, step.view);
+      record.chose_proposal = (is_left == passes) == record.is_proposal_first;
+    }
+    return record;
+  }
+
+  /// Whether a check ends the session.
+  bool ends(const ChainSession& session, std::size_t trial, const ChainRecord& record,
+            int& failed) const {
+    if (!passes_check(design_, session.plan.trials[trial].expected, record)) ++failed;
+    return failed > study_.experiment.at("chains").value("max_failed_checks", 0);
   }
 
   ChainAnswer answer_of(const ChainSession& session, std::size_t trial, ChainRecord record) const {
@@ -78,16 +109,21 @@ class Simulation {
             .simulated = true,
             .trial = session.plan.trials[trial].number,
             .is_practice = session.plan.trials[trial].practice,
+            .expected = session.plan.trials[trial].expected,
             .answer = std::move(record)};
   }
 
-  /// Trials whose steps are planned: all of them, or practice.
-  std::vector<ChainAnswer> planned_answers(const ChainSession& session) const {
+  /// Trials whose steps are planned: all of them or, in chains across participants, practice.
+  std::vector<ChainAnswer> planned_answers(const ChainSession& session, bool is_shared) const {
     std::vector<ChainAnswer> answers;
     std::map<std::string, std::vector<double>> points = session.starts;
     for (std::size_t i = 0; i < session.steps.size(); ++i) {
       const PlannedStep& step = session.steps[i];
       if (step.name.word.empty()) continue;
+      if (session.plan.trials[i].is_attention_check()) {
+        if (!is_shared) answers.push_back(answer_of(session, i, checked(session, i)));
+        continue;
+      }
       const bool is_practice = session.plan.trials[i].practice;
       std::vector<double>& point =
           points.at(is_practice ? fmt::format("practice/{}", step.name.chain) : step.name.key());
@@ -103,6 +139,15 @@ class Simulation {
   }
 
  private:
+  void propose(ChainRecord& record, const StepView& view) const {
+    record.is_proposal_first = view.is_proposal_first;
+    for (std::size_t d = 0; d < record.point.size(); ++d) {
+      const DimensionRange& range = design_.space[d];
+      const double by = design_.deviation * (range.high - range.low) * view.normals[d];
+      record.proposal.push_back(reflected(record.point[d] + by, range));
+    }
+  }
+
   /// To a thousandth of the range, like the slider of the page.
   double stepped(double value, std::size_t d) const {
     const DimensionRange& range = design_.space[d];
@@ -117,30 +162,68 @@ class Simulation {
 };
 
 /// Participants take turns, one trial each.
-std::vector<ChainAnswer> shared_answers(const ChainStudy& study, const Simulation& simulation) {
-  const ChainFacts facts = chain_facts(study.experiment);
-  SharedChains chains(facts);
-  std::vector<ChainAnswer> answers;
-  std::size_t longest = 0;
-  for (const ChainSession& session : study.sessions)
-    longest = std::max(longest, session.steps.size());
-  for (std::size_t trial = 0; trial < longest; ++trial)
-    for (const ChainSession& session : study.sessions) {
-      if (trial >= session.steps.size() || session.plan.trials[trial].practice) continue;
-      NoStep reason = NoStep::busy;
-      const int index = session.plan.index;
-      const auto assigned = chains.assign(index, fmt::format("trial-{}", trial), 0, reason);
-      if (!assigned) continue;
-      const StepView view =
-          step_view(study.design, assigned->name, assigned->step, assigned->person);
-      ChainRecord record = simulation.answered(
-          {assigned->name, assigned->step, view}, assigned->person, assigned->point,
-          fmt::format("{} trial {}", session.plan.participant, trial));
-      chains.add(index, record);
-      answers.push_back(simulation.answer_of(session, trial, std::move(record)));
+class SharedSimulation {
+ public:
+  SharedSimulation(const ChainStudy& study, const Simulation& simulation)
+      : study_(study),
+        simulation_(simulation),
+        facts_(chain_facts(study.experiment)),
+        chains_(facts_) {}
+
+  std::vector<ChainAnswer> run() {
+    std::size_t longest = 0;
+    for (const ChainSession& session : study_.sessions)
+      longest = std::max(longest, session.steps.size());
+    for (std::size_t trial = 0; trial < longest; ++trial)
+      for (const ChainSession& session : study_.sessions)
+        if (trial < session.steps.size() && !session.plan.trials[trial].practice &&
+            !ended_.contains(session.plan.index))
+          answer(session, trial);
+    return std::move(answers_);
+  }
+
+ private:
+  void answer(const ChainSession& session, std::size_t trial) {
+    if (chains_.is_finished()) return;
+    if (session.plan.trials[trial].is_attention_check()) return answer_check(session, trial);
+    NoStep reason = NoStep::busy;
+    const int index = session.plan.index;
+    const auto assigned = chains_.assign(index, fmt::format("trial-{}", trial), 0, reason);
+    if (!assigned) return;
+    const StepView view =
+        step_view(study_.design, assigned->name, assigned->step, assigned->person);
+    ChainRecord record = simulation_.answered(
+        {assigned->name, assigned->step, view}, assigned->person, assigned->point,
+        fmt::format("{} trial {}", session.plan.participant, trial));
+    chains_.add(index, record);
+    answers_.push_back(simulation_.answer_of(session, trial, std::move(record)));
+  }
+
+  /// Who fails too many is not asked again, and answers to open steps do not count.
+  void answer_check(const ChainSession& session, std::size_t trial) {
+    ChainRecord record = simulation_.checked(session, trial);
+    const int index = session.plan.index;
+    if (simulation_.ends(session, trial, record, failed_[index])) {
+      ended_.insert(index);
+      for (const ChainPlace& place : chains_.open_answers(index))
+        std::erase_if(answers_, [&](const ChainAnswer& one) {
+          return one.expected.empty() && one.answer.word == place.name.word &&
+                 one.answer.chain == place.name.chain && one.answer.step == place.step &&
+                 one.answer.person == place.person;
+        });
+      chains_.forget_open(index);
     }
-  return answers;
-}
+    answers_.push_back(simulation_.answer_of(session, trial, std::move(record)));
+  }
+
+  const ChainStudy& study_;
+  const Simulation& simulation_;
+  ChainFacts facts_;
+  SharedChains chains_;
+  std::map<int, int> failed_;  ///< number of failed checks by session
+  std::set<int> ended_;
+  std::vector<ChainAnswer> answers_;
+};
 
 }  // namespace
 
@@ -167,9 +250,10 @@ std::vector<ChainAnswer> simulated_chains(const ChainStudy& study, bool across_p
   const Simulation simulation(study, truth);
   std::vector<ChainAnswer> answers;
   for (const ChainSession& session : study.sessions)
-    std::ranges::move(simulation.planned_answers(session), std::back_inserter(answers));
+    std::ranges::move(simulation.planned_answers(session, across_participants),
+                      std::back_inserter(answers));
   if (across_participants)
-    std::ranges::move(shared_answers(study, simulation), std::back_inserter(answers));
+    std::ranges::move(SharedSimulation(study, simulation).run(), std::back_inserter(answers));
   return answers;
 }
 

@@ -16,6 +16,9 @@ constexpr std::size_t max_dimensions = 64;
 /// Tolerance between the browser's and our arithmetic.
 constexpr double slack = 1e-9;
 
+/// Of the slider in attention checks, as a share of its range.
+constexpr double check_tolerance = 0.05;
+
 std::vector<double> read_point(RecordReader& reader, const char* name) {
   const nlohmann::json& list = reader.required(name);
   if (!list.is_array() || list.size() > max_dimensions)
@@ -105,6 +108,11 @@ ChainDesign read_design(const nlohmann::ordered_json& chains) {
     design.space.push_back({dimension.at("low"), dimension.at("high")});
   }
   for (const auto& [word, shown] : chains.at("words").items()) design.words.push_back(word);
+  design.has_relative_values = chains.at("kind") == motion::name_of(motion::InterfaceKind::weights);
+  if (const auto until = chains.find("until"); until != chains.end())
+    design.until = ChainEnd{.r_hat = until->at("r_hat"),
+                            .at_least = until->at("at_least"),
+                            .at_most = until->at("at_most")};
   return design;
 }
 
@@ -114,7 +122,8 @@ ChainFacts chain_facts(const nlohmann::ordered_json& experiment) {
   const nlohmann::ordered_json& chains = experiment.at("chains");
   ChainFacts facts{.design = read_design(chains),
                    .across_participants = chains.at("across_participants"),
-                   .answer_within_s = chains.value("answer_within_s", 0.0)};
+                   .answer_within_s = chains.value("answer_within_s", 0.0),
+                   .max_failed_checks = chains.value("max_failed_checks", 0)};
   if (const auto starts = chains.find("starts"); starts != chains.end())
     for (const auto& [key, point] : starts->items())
       facts.starts[key] = point.get<std::vector<double>>();
@@ -165,6 +174,17 @@ nlohmann::ordered_json chain_json(const ChainRecord& record) {
     json["chose_proposal"] = record.chose_proposal;
   }
   return json;
+}
+
+bool passes_check(const ChainDesign& design, const std::string& expected,
+                  const ChainRecord& record) {
+  const bool is_left = expected == word_of(check_side_words, CheckSide::left);
+  if (design.method == ChainMethod::mcmc)
+    return (record.chose_proposal == record.is_proposal_first) == is_left;
+  const DimensionRange& range = design.space[record.dimension];
+  const double share = (record.value - range.low) / (range.high - range.low);
+  const double from_left = record.slider.is_reversed ? 1.0 - share : share;
+  return (is_left ? from_left : 1.0 - from_left) <= check_tolerance;
 }
 
 void check_chain_record(const ChainFacts& facts, const SessionPlan& plan, const Trial& trial,

@@ -16,6 +16,7 @@ struct ChainFacts {
   ChainDesign design;
   bool across_participants = false;
   double answer_within_s = 180.0;
+  int max_failed_checks = 0;  ///< a server ends the session of whoever fails more
   /// Where chains across participants start, by ChainName::key.
   std::map<std::string, std::vector<double>> starts;
   /// The steps of each session, one for each trial; with an empty word if a server assigns them.
@@ -49,6 +50,11 @@ ChainRecord read_chain_record(const nlohmann::json& text);
 
 /// The record as read_chain_record reads it.
 nlohmann::ordered_json chain_json(const ChainRecord& record);
+
+/// Whether the answer to an attention check is what it asks for: the slider within 5 % of the end,
+/// or the motion at the side. `expected`: of the trial.
+bool passes_check(const ChainDesign& design, const std::string& expected,
+                  const ChainRecord& record);
 
 /// Throws RecordFault if a record is not of the step that the plan has for the trial (counted from
 /// 1) of the session or, where a server assigns steps, of a step that the experiment does not have;

@@ -8,6 +8,10 @@ struct Row {
   const ChainDesign& design;
   const ChainAnswer& of;
 
+  std::optional<bool> passed() const {
+    if (of.expected.empty()) return std::nullopt;
+    return passes_check(design, of.expected, of.answer);
+  }
   bool is_gibbs() const { return design.method == ChainMethod::gibbs; }
   template <class Value>
   std::optional<Value> of_gibbs(Value value) const {
@@ -20,7 +24,7 @@ struct Row {
 };
 
 constexpr auto columns = table_of<Row>(
-    "steps.csv", "answer to a step of a chain, practice included",
+    "steps.csv", "answer to a step of a chain, practice and attention checks included",
     {{"participant", "",
       "participant id: position in the design, not a name; empty of an answer "
       "whose participant has withdrawn",
@@ -31,9 +35,13 @@ constexpr auto columns = table_of<Row>(
      {"trial", "", "number of the trial, from 1", [](auto& r) { return r.of.trial; }},
      {"is_practice", "0/1", "1: practice trial, not part of a chain",
       [](auto& r) { return r.of.is_practice; }},
+     {"is_check", "0/1", "1: attention check, not part of a chain",
+      [](auto& r) { return !r.of.expected.empty(); }},
+     {"passed", "0/1", "1: the attention check was passed, 0: failed; otherwise empty",
+      [](auto& r) { return r.passed(); }},
      {"attempt", "", "attempt at the trial, from 1; above 1 after a reload",
       [](auto& r) { return r.of.answer.attempt; }},
-     {"word", "", "id of the word that the motion was to look like",
+     {"word", "", "id of the word that the motion was to look like; check in attention checks",
       [](auto& r) { return r.of.answer.word; }},
      {"chain", "",
       "number of the chain, from 1: of the word or, if each participant has chains of "

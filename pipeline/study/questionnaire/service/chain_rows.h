@@ -17,6 +17,7 @@ struct ChainAnswer {
   bool simulated = false;
   std::optional<int> trial;  ///< from 1; unset if the participant has withdrawn
   bool is_practice = false;
+  std::string expected;  ///< of an attention check, what it asks for (check_side_words)
   ChainRecord answer;
   std::optional<double> trial_ms;  ///< duration of the trial
   std::string started_at;          ///< by the participant's clock
@@ -25,7 +26,7 @@ struct ChainAnswer {
 /// The columns of steps.csv.
 extern const TableForm chain_steps_form;
 
-/// CSV with a row for each answer, practice included.
+/// CSV with a row for each answer, practice and attention checks included.
 std::string chain_steps_csv(const std::vector<ChainAnswer>& answers, const ChainDesign& design);
 
 /// Numbers separated by single spaces, each the shortest decimal that reads back as the same one.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "pipeline/base/documents/table.h"
@@ -115,30 +117,53 @@ std::vector<MatchedTrial> matched_trials(const ServedStudy& study, const StudySe
 }
 
 /// Answers to steps whose participants have withdrawn.
-void add_withdrawn_steps(const ServedStudy& study, const StudySessions& sessions,
+void add_withdrawn_steps(const ServedStudy& study, const std::vector<StoredStep>& steps,
                          std::vector<ChainAnswer>& answers) {
-  for (const StoredStep& step : sessions.store().steps())
+  for (const StoredStep& step : steps)
     if (!step.session)
       answers.push_back({.design = study.facts.design,
                          .answer = read_chain_record(nlohmann::json::parse(step.content))});
+}
+
+/// Answers to steps of chains across participants: chain, step, person and participant.
+using CountedSteps = std::set<std::tuple<std::string, int, int, std::string>>;
+
+CountedSteps counted_steps(const StudySessions& sessions, const std::vector<StoredStep>& steps) {
+  CountedSteps counted;
+  for (const StoredStep& step : steps)
+    if (step.session)
+      counted.emplace(step.chain, step.step, step.person,
+                      sessions.state(*step.session).session.participant);
+  return counted;
 }
 
 }  // namespace
 
 std::string steps_csv(const ServedStudy& study, const StudySessions& sessions) {
   std::vector<ChainAnswer> answers;
+  // Before the records, so that each answer comes with those that led to it. Answers that no longer
+  // count, since their participant failed attention checks, are not among them.
+  const std::vector<StoredStep> steps = sessions.store().steps();
+  const CountedSteps counted = counted_steps(sessions, steps);
   for_each_trial(sessions, [&](const SessionPlan& plan, const Trial& trial, PageRecord record) {
     if (!record.chain) return;
+    const ChainRecord& made = *record.chain;
+    const bool is_shared =
+        study.facts.chains->across_participants && !trial.practice && !trial.is_attention_check();
+    if (is_shared && !counted.contains({ChainName{made.word, made.chain, ""}.key(), made.step,
+                                        made.person, plan.participant}))
+      return;
     answers.push_back({.participant = plan.participant,
                        .session = record.session,
                        .design = study.facts.design,
                        .trial = trial.number,
                        .is_practice = trial.practice,
+                       .expected = trial.expected,
                        .answer = std::move(*record.chain),
                        .trial_ms = record.measured.trial_ms,
                        .started_at = table_text(record.started_at)});
   });
-  add_withdrawn_steps(study, sessions, answers);
+  add_withdrawn_steps(study, steps, answers);
   return chain_steps_csv(answers, study.facts.chains->design);
 }
 

@@ -237,7 +237,7 @@ HttpResponse QuestionnaireService::assign_step(const HttpRequest& request, int s
   const SessionState state = sessions_.state(session);
   const SessionPlan plan = sessions_.plan_of(state.session);
   const Trial* trial = trial_of(plan, request.path[3]);
-  if (trial == nullptr || trial->practice || state.ended)
+  if (trial == nullptr || trial->practice || trial->is_attention_check() || state.ended)
     return http_refusal(404, "unknown", "this session has no such trial", "load the page again");
   if (!browser)
     return http_refusal(400, "malformed", "names no browser session", "load the page again");

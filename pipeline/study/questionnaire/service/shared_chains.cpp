@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "pipeline/base/adaptive/chain_convergence.h"
 #include "pipeline/study/questionnaire/orders.h"
 
 namespace mien::pipeline {
@@ -39,7 +41,7 @@ SharedChains::SharedChains(const ChainFacts& facts) : facts_(facts) {
 
 std::optional<int> SharedChains::open_person(std::size_t at, int session, std::int64_t now) const {
   const Chain& chain = chains_[at];
-  if (chain.step >= facts_.design.steps) return std::nullopt;
+  if (is_over(chain)) return std::nullopt;
   for (const auto& [person, who] : chain.sessions)
     if (who == session) return std::nullopt;
   for (int person = 0; person < facts_.design.people_per_step; ++person) {
@@ -88,8 +90,8 @@ const SharedChains::Chain* SharedChains::chain_of(const ChainRecord& record) con
 
 bool SharedChains::is_open(int session, const ChainRecord& record, std::int64_t now) const {
   const Chain* chain = chain_of(record);
-  if (chain == nullptr || chain->step != record.step || chain->point != record.point ||
-      chain->values.contains(record.person))
+  if (chain == nullptr || is_over(*chain) || chain->step != record.step ||
+      chain->point != record.point || chain->values.contains(record.person))
     return false;
   for (const auto& [person, who] : chain->sessions)
     if (who == session) return false;
@@ -110,6 +112,29 @@ void SharedChains::complete_step(Chain& chain, const ChainRecord& record) {
   ++chain.step;
   chain.values.clear();
   chain.sessions.clear();
+  if (!facts_.design.until) return;
+  std::vector<double>& point = chain.points.emplace_back(chain.point);
+  if (!facts_.design.has_relative_values) return;
+  const double sum = std::accumulate(point.begin(), point.end(), 0.0);
+  for (double& value : point) value /= sum;
+}
+
+/// R̂ is computed each time that the shortest chain has one more sweep, so that the order in which
+/// answers to different chains come does not matter.
+void SharedChains::end_if_converged(const std::string& word) {
+  const std::optional<ChainEnd>& until = facts_.design.until;
+  if (!until || ended_words_.contains(word)) return;
+  std::vector<std::vector<std::vector<double>>> paths;
+  for (const Chain& chain : chains_)
+    if (chain.name.word == word) paths.push_back(chain.points);
+  const std::size_t per_sweep = facts_.design.steps_per_sweep();
+  if (shortest_sweeps(paths, per_sweep) >= static_cast<std::size_t>(until->at_least) &&
+      have_converged(paths, per_sweep, until->r_hat))
+    ended_words_.insert(word);
+}
+
+bool SharedChains::is_over(const Chain& chain) const {
+  return chain.step >= facts_.design.steps || ended_words_.contains(chain.name.word);
 }
 
 void SharedChains::add(int session, const ChainRecord& record) {
@@ -119,10 +144,33 @@ void SharedChains::add(int session, const ChainRecord& record) {
   chain.sessions[record.person] = session;
   chain.last_session = session;
   leases_.erase({at, record.step, record.person});
-  if (std::ssize(chain.values) == facts_.design.people_per_step) complete_step(chain, record);
+  if (std::ssize(chain.values) < facts_.design.people_per_step) return;
+  complete_step(chain, record);
+  if (static_cast<std::size_t>(chain.step) % facts_.design.steps_per_sweep() == 0)
+    end_if_converged(chain.name.word);
 }
 
-bool SharedChains::is_finished() const { return complete_steps() == all_steps(); }
+std::vector<ChainPlace> SharedChains::open_answers(int session) const {
+  std::vector<ChainPlace> open;
+  for (const Chain& chain : chains_)
+    for (const auto& [person, who] : chain.sessions)
+      if (who == session) open.push_back({chain.name, chain.step, person});
+  return open;
+}
+
+void SharedChains::forget_open(int session) {
+  for (Chain& chain : chains_)
+    std::erase_if(chain.sessions, [&](const auto& one) {
+      if (one.second != session) return false;
+      chain.values.erase(one.first);
+      return true;
+    });
+  std::erase_if(leases_, [&](const auto& lease) { return lease.second.session == session; });
+}
+
+bool SharedChains::is_finished() const {
+  return std::ranges::all_of(chains_, [&](const Chain& chain) { return is_over(chain); });
+}
 
 int SharedChains::complete_steps() const {
   int steps = 0;
@@ -131,7 +179,9 @@ int SharedChains::complete_steps() const {
 }
 
 int SharedChains::all_steps() const {
-  return facts_.design.steps * static_cast<int>(chains_.size());
+  int steps = 0;
+  for (const Chain& chain : chains_) steps += is_over(chain) ? chain.step : facts_.design.steps;
+  return steps;
 }
 
 }  // namespace mien::pipeline

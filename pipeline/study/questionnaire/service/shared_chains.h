@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,16 @@ struct AssignedStep {
 /// The step as JSON, for the page (Step of page/src/chains/steps.ts).
 nlohmann::ordered_json step_json(const ChainDesign& design, const AssignedStep& step);
 
+/// A person's place in a step of a chain.
+struct ChainPlace {
+  ChainName name;
+  int step = 0;
+  int person = 0;
+};
+
 /// Why no step is assigned.
 enum class NoStep {
-  finished,  ///< all chains are complete
+  finished,  ///< all chains are complete or have ended
   busy       ///< all steps that are open have been given to other participants
 };
 
@@ -52,8 +60,15 @@ class SharedChains {
   /// Takes an answer that is_open(), or one that was stored before.
   void add(int session, const ChainRecord& record);
 
+  /// The answers of a session to steps that still lack those of others.
+  std::vector<ChainPlace> open_answers(int session) const;
+  /// Removes these answers, and gives the steps that the session was given to others.
+  void forget_open(int session);
+
+  /// Whether all chains are complete, or have ended because those of their word agree.
   bool is_finished() const;
-  /// The number of complete steps of all chains, and of all steps.
+  /// The number of complete steps of all chains, and of all steps; of a word whose chains have
+  /// ended, those that there are.
   int complete_steps() const;
   int all_steps() const;
 
@@ -61,6 +76,7 @@ class SharedChains {
   struct Chain {
     ChainName name;
     std::vector<double> point;
+    std::vector<std::vector<double>> points = {};  ///< after each step, if chains may end early
     int step = 0;
     std::map<int, double> values;  ///< answers to the present step, by person
     std::map<int, int> sessions;   ///< who gave them, by person
@@ -76,10 +92,13 @@ class SharedChains {
   const Chain* chain_of(const ChainRecord& record) const;
   std::optional<int> open_person(std::size_t chain, int session, std::int64_t now) const;
   void complete_step(Chain& chain, const ChainRecord& record);
+  void end_if_converged(const std::string& word);
+  bool is_over(const Chain& chain) const;
 
   const ChainFacts& facts_;
   std::vector<Chain> chains_;
   std::map<Place, Lease> leases_;
+  std::set<std::string> ended_words_;  ///< those whose chains agree
 };
 
 }  // namespace mien::pipeline

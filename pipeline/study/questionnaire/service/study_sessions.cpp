@@ -116,6 +116,7 @@ void StudySessions::add_state(const StoredSession& session) {
 void StudySessions::count(SessionState& state, const PageRecord& record) {
   if (state.stored++ == 0) state.browser = record.session;
   if (is_refusal(record)) state.ended = SessionEnd::refused;
+  if (fails_check(state, record)) ++state.failed_checks;
   if (record.name == screening_record) {
     state.screening = record.responses;
     state.screening_fault = screening_fault(study_.facts.screening, record);
@@ -166,24 +167,20 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   const auto position = std::ranges::find(state.names, record.name) - state.names.begin();
   const bool is_stored_before = position < static_cast<std::ptrdiff_t>(state.stored);
   if (state.ended && !is_stored_before) return {.ended = state.ended};
-  std::optional<StoredStep> step;
-  if (chains_ && !is_stored_before && is_chain_trial(state, record)) {
-    if (!is_step_open(session, record)) return {.is_taken = true};
-    step = stored_step(session, record);
-  }
-  const bool is_turned_away =
-      record.name == screening_record && fault_of(record) != ScreeningFault::none;
-  const std::string ended =
-      is_turned_away ? std::string(word_of(session_end_words, SessionEnd::screened_out)) : "";
+  if (chains_ && !is_stored_before && !is_step_open(state, record)) return {.is_taken = true};
+  const std::optional<SessionEnd> end = end_by(state, record);
+  const std::string ended = end ? std::string(word_of(session_end_words, *end)) : "";
+  const StepChange change = is_stored_before ? StepChange() : step_change(state, record, end);
   const RecordOutcome outcome = store_.keep({.session = session,
                                              .position = static_cast<int>(position),
                                              .name = record.name,
                                              .content = content,
                                              .stored_at = iso_time(state.last_seen)},
-                                            ended, step);
+                                            ended, change);
   if (outcome == RecordOutcome::stored) {
-    if (step) chains_->add(session, *record.chain);
-    if (is_turned_away) state.ended = SessionEnd::screened_out;
+    if (change.added) chains_->add(session, *record.chain);
+    if (end) state.ended = end;
+    if (chains_ && end == SessionEnd::failed_attention) chains_->forget_open(session);
     count(state, record);
     mark_begun(state);
   }
@@ -191,16 +188,52 @@ SubmissionResult StudySessions::submit(int session, const PageRecord& record,
   return {.outcome = outcome, .next = is_over ? "" : state.names[state.stored]};
 }
 
-/// Practice is not part of a chain across participants.
+/// How the session ends early with this record.
+std::optional<SessionEnd> StudySessions::end_by(const SessionState& state,
+                                                const PageRecord& record) const {
+  if (record.name == screening_record && fault_of(record) != ScreeningFault::none)
+    return SessionEnd::screened_out;
+  if (fails_check(state, record) &&
+      state.failed_checks + 1 > study_.facts.chains->max_failed_checks)
+    return SessionEnd::failed_attention;
+  return std::nullopt;
+}
+
+bool StudySessions::fails_check(const SessionState& state, const PageRecord& record) const {
+  if (!study_.facts.chains || !record.chain) return false;
+  const SessionPlan plan = plan_of(state.session);
+  const Trial* trial = trial_of(plan, record.name);
+  return trial != nullptr && trial->is_attention_check() &&
+         !passes_check(study_.facts.chains->design, trial->expected, *record.chain);
+}
+
+StepChange StudySessions::step_change(const SessionState& state, const PageRecord& record,
+                                      const std::optional<SessionEnd>& end) const {
+  StepChange change;
+  if (!chains_) return change;
+  const int session = state.session.index;
+  if (is_chain_trial(state, record)) change.added = stored_step(session, record);
+  if (end == SessionEnd::failed_attention)
+    for (const ChainPlace& place : chains_->open_answers(session))
+      change.removed.push_back(
+          {.chain = place.name.key(), .step = place.step, .person = place.person});
+  return change;
+}
+
+/// Practice and attention checks are not part of a chain across participants.
 bool StudySessions::is_chain_trial(const SessionState& state, const PageRecord& record) const {
   const SessionPlan plan = plan_of(state.session);
   const Trial* trial = trial_of(plan, record.name);
-  return trial != nullptr && !trial->practice;
+  return trial != nullptr && !trial->practice && !trial->is_attention_check();
 }
 
-/// Without a step, all chains must be complete.
-bool StudySessions::is_step_open(int session, const PageRecord& record) const {
-  return record.chain ? chains_->is_open(session, *record.chain, clock_()) : chains_->is_finished();
+/// Whether chains across participants take the record. Without a step, all of them must be over.
+bool StudySessions::is_step_open(const SessionState& state, const PageRecord& record) const {
+  if (is_chain_trial(state, record) && record.chain)
+    return chains_->is_open(state.session.index, *record.chain, clock_());
+  const SessionPlan plan = plan_of(state.session);
+  const Trial* trial = trial_of(plan, record.name);
+  return trial == nullptr || record.chain.has_value() || chains_->is_finished();
 }
 
 StepAssignment StudySessions::assign_step(int session, const std::string& browser,

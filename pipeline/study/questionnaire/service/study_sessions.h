@@ -34,8 +34,10 @@ struct SessionState {
   /// since the server started.
   std::int64_t last_seen = 0;
   std::string browser;  ///< browser session that sent the first record; other browsers are refused
-  /// How the session ended early: refused, screened_out or withdrawn. Nothing more is accepted.
+  /// How the session ended early: refused, screened_out, withdrawn or, in chains,
+  /// failed_attention. Nothing more is accepted.
   std::optional<SessionEnd> ended;
+  int failed_checks = 0;                ///< number of attention checks of chains that were failed
   std::vector<ItemResponse> screening;  ///< answers to the questions of the screening
   ScreeningFault screening_fault = ScreeningFault::none;  ///< why it turned the participant away
 
@@ -138,7 +140,11 @@ class StudySessions {
   void count(SessionState& state, const PageRecord& record);
   bool is_full() const;
   bool is_chain_trial(const SessionState& state, const PageRecord& record) const;
-  bool is_step_open(int session, const PageRecord& record) const;
+  bool fails_check(const SessionState& state, const PageRecord& record) const;
+  std::optional<SessionEnd> end_by(const SessionState& state, const PageRecord& record) const;
+  StepChange step_change(const SessionState& state, const PageRecord& record,
+                         const std::optional<SessionEnd>& end) const;
+  bool is_step_open(const SessionState& state, const PageRecord& record) const;
   StoredSession additional_session() const;
 
   const ServedStudy& study_;

@@ -49,6 +49,41 @@ TEST(ScaleReduction, IsNearOneForMixedChainsAndLargeForOnesApart) {
   EXPECT_GT(scale_reduction(correlated_chains(5, 200, 0.0, 5.0)), 5.0);
 }
 
+/// Points after each of two steps of a sweep, with one chain's values in both dimensions.
+std::vector<std::vector<std::vector<double>>> paths_of(const ChainValues& chains) {
+  std::vector<std::vector<std::vector<double>>> paths;
+  for (const std::vector<double>& chain : chains) {
+    auto& path = paths.emplace_back();
+    for (const double value : chain) {
+      path.push_back({value, 7.0});  // in the middle of a sweep
+      path.push_back({0.5, value});
+    }
+  }
+  return paths;
+}
+
+TEST(ChainsThatAgree, AreThoseWhoseSecondHalvesDo) {
+  // First halves far from each other, second halves equal in mean.
+  ChainValues chains = {{9, 9, 9, 1, 2, 3}, {0, 0, 0, 2, 1, 3}};
+  EXPECT_TRUE(have_converged(paths_of(chains), 2, 1.1));
+  chains[1][5] = 9;
+  EXPECT_FALSE(have_converged(paths_of(chains), 2, 1.1));
+  // In every dimension.
+  auto paths = paths_of({{1, 2, 3, 1, 2, 3}, {3, 2, 1, 3, 2, 1}});
+  EXPECT_TRUE(have_converged(paths, 2, 1.1));
+  for (auto& point : paths[1]) point[0] += 0.1;  // constants that differ
+  EXPECT_FALSE(have_converged(paths, 2, 1.1));
+  // An incomplete sweep does not count, nor what other chains have more.
+  chains = {{9, 9, 9, 1, 2, 3}, {0, 0, 0, 2, 1, 3}};
+  paths = paths_of(chains);
+  paths[0].push_back({50.0, 50.0});
+  paths[1].push_back({-50.0, -50.0});
+  paths[1].push_back({-50.0, -50.0});
+  EXPECT_EQ(shortest_sweeps(paths, 2), 6u);
+  EXPECT_TRUE(have_converged(paths, 2, 1.1));
+  EXPECT_FALSE(have_converged(paths_of({{1, 2}, {1, 2}}), 2, 2.0));
+}
+
 TEST(EffectiveSampleSize, IsThatOfAutocorrelation) {
   EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.0, 0.0)), 16000.0, 1600.0);
   // (1 − ρ)/(1 + ρ) of all values.

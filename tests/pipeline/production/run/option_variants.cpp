@@ -127,6 +127,12 @@ constexpr char with_choices[] =
 constexpr char with_shared_chains[] =
     R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true}})";
 
+constexpr char with_several_chains[] =
+    R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "chains": 2}})";
+
+constexpr char with_attention_checks[] =
+    R"({"adaptive": {"participants": 4, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "attention": {"every": 5}}})";
+
 constexpr char with_shared_steps[] =
     R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "people_per_step": 2}})";
 
@@ -217,6 +223,9 @@ const Surroundings surroundings[] = {
     {"adaptive.answer_within_s", with_shared_chains, "{}"},
     {"adaptive.people_per_step", with_shared_chains, "{}"},
     {"adaptive.aggregate", with_shared_steps, "{}"},
+    {"adaptive.until.", with_several_chains, R"({"r_hat": 1.3, "at_most": 25})"},
+    {"adaptive.until", with_several_chains, "{}"},
+    {"adaptive.attention.max_failed_checks", with_attention_checks, R"({"every": 5})"},
     {"adaptive", with_adaptive, "{}"},
     {"questionnaire.continuous.", with_continuous, "{}"},
     {"questionnaire.continuous", with_continuous, "{}"},
@@ -464,6 +473,10 @@ const Values chosen_values[] = {
     {"adaptive.space.features", R"(["all", ["step-length"]])"},
     {"adaptive.space.weights", R"(["all", ["sad", "normal"]])"},
     {"adaptive.space.components", "[1, 2]"},
+    {"adaptive.until", R"([{"r_hat": 1.1, "at_most": 30}, {"r_hat": 1.2, "at_most": 40}])"},
+    {"adaptive.until.r_hat", "[1.1, 1.2]"},
+    {"adaptive.until.at_least", "[8, 9]"},
+    {"adaptive.until.at_most", "[20, 30]"},
     {"adaptive.colour", R"(["#112233", "#445566"])"},
     {"adaptive.demographics",
      R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},

@@ -25,6 +25,8 @@ export interface ChainSettings {
   colour: string;
   /** Of MCMC: the standard deviation of proposals, a share of each range. */
   deviation: number;
+  /** A server ends the session of whoever fails more attention checks. */
+  max_failed_checks?: number;
 }
 
 export interface ChainSession {
@@ -43,12 +45,16 @@ export interface SliderStart {
   reversed: boolean;
 }
 
+export type CheckSide = "left" | "right";
+
 /** What chains of a participant's own, and those of practice, have fixed in the plan. */
 export interface ChainTrial {
   number: number;
   block: string;
   kind: "chain";
   practice: boolean;
+  /** Of an attention check: the end of the slider, or the side of the figure, that it asks for. */
+  expected?: CheckSide;
   media: [];
   word?: string;
   chain?: number;

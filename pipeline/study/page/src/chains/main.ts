@@ -3,6 +3,7 @@ import { attemptAt } from "../live_study/begun";
 import { placeOf } from "../live_study/experiment";
 import { LiveSession } from "../live_study/live_session";
 import { runLiveStudy } from "../live_study/live_study";
+import { showEarlyEnd } from "../questionnaire/session_page";
 import { Declined, post } from "../questionnaire/store";
 import { base, root } from "../questionnaire/surroundings";
 import { checkedChains, type ChainExperiment, type ChainSession, type ChainTrial } from "./experiment";
@@ -28,13 +29,14 @@ class Session extends LiveSession<ChainSession, ChainExperiment> {
   }
 
   protected async trials(core: LiveCore): Promise<string[]> {
-    const { experiment, texts, words, chainWords } = this;
+    const { experiment, store, texts, words, chainWords } = this;
     const page = new TrialPage({ chains: experiment.chains, core, texts, words, chainWords });
-    const left = this.store.session.trials.filter(({ number }) => !this.has(`trial-${number}`));
+    const left = store.session.trials.filter(({ number }) => !this.has(`trial-${number}`));
     try {
       for (const [index, trial] of left.entries()) {
         await this.between(trial, left[index - 1]);
         await this.trial(page, trial);
+        if (store.ended?.() === "failed_attention") return await this.endInattentive();
       }
       return [];
     } catch (error) {
@@ -70,13 +72,19 @@ class Session extends LiveSession<ChainSession, ChainExperiment> {
   /** From the plan or, where chains run across participants, from the server. */
   private async stepOf(trial: ChainTrial): Promise<Step> {
     const { experiment, store } = this;
-    if (trial.practice || !experiment.chains.across_participants)
+    if (trial.practice || trial.expected || !experiment.chains.across_participants)
       return plannedStep(experiment.chains, store.session, trial, this.answers.all());
     if (this.parts.mode !== "served")
       throw new Error("The chains of this experiment run across participants, which needs a server: mien study serve.");
     const shown = root().querySelector("article") ?? root();
     return this.sent(shown, (wait) => post<Step>(`${base()}step/trial-${trial.number}`, { session: store.name }, wait),
       this.chainWords.othersAnswer);
+  }
+
+  /** The server takes nothing more from whoever failed too many attention checks. */
+  private endInattentive(): Promise<never> {
+    showEarlyEnd(this.texts, [this.texts.failedAttention], { parameters: {}, destination: undefined });
+    return new Promise<never>(() => {});
   }
 
   /** All chains are complete: trials that are left have no step. */

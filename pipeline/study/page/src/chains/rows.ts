@@ -3,6 +3,7 @@ import type { PageRecord } from "../questionnaire/experiment";
 import { csv } from "../questionnaire/rows";
 import type { ChainExperiment, ChainSession, ChainTrial } from "./experiment";
 import type { ChainRecord } from "./record";
+import { passesCheck } from "./steps";
 
 type Row = Record<(typeof stepColumns)[number], string>;
 
@@ -10,12 +11,14 @@ const truth = (is: boolean | undefined): string => (is === undefined ? "" : is ?
 const number = (value: number | undefined): string => (value === undefined ? "" : String(value));
 const list = (values: number[] | undefined): string => (values ?? []).map(String).join(" ");
 
-/** One row a step, practice included. */
+/** One row a step, practice and attention checks included. */
 export function stepsCsv(
   experiment: ChainExperiment, session: ChainSession, records: Record<string, PageRecord>): string {
   const rowOf = (trial: ChainTrial, record: PageRecord, made: ChainRecord): Row => ({
     participant: session.participant, session: record.session, design: experiment.design,
     simulated: truth(experiment.simulated), trial: String(trial.number), is_practice: truth(trial.practice),
+    is_check: truth(trial.expected !== undefined),
+    passed: trial.expected ? truth(passesCheck(made, trial.expected, experiment.chains)) : "",
     attempt: String(made.attempt), word: made.word, chain: String(made.chain), step: String(made.step),
     person: String(made.person), point: list(made.point),
     dimension: made.dimension === undefined ? "" : experiment.chains.dimensions[made.dimension]!.name,

@@ -1,6 +1,6 @@
 import type { LiveSetting } from "../live/core";
 import type { PageRecord } from "../questionnaire/experiment";
-import type { ChainSession, ChainSettings, ChainTrial, Dimension, SliderStart } from "./experiment";
+import type { ChainSession, ChainSettings, ChainTrial, CheckSide, Dimension, SliderStart } from "./experiment";
 import type { ChainRecord } from "./record";
 
 /** What a trial shows. */
@@ -16,6 +16,8 @@ export interface Step {
   /** Of MCMC. */
   proposal?: number[];
   proposal_first?: boolean;
+  /** Of an attention check: what it asks for. */
+  expected?: CheckSide;
 }
 
 /** What the participant did. */
@@ -48,6 +50,19 @@ function pointAfter({ point, dimension, value, proposal, chose_proposal: isChose
 export const settingAt = (point: number[], { kind, dimensions }: ChainSettings): LiveSetting =>
   ({ kind, sliders: dimensions.map(({ name }) => name), values: point });
 
+/** Of the slider in attention checks, as a share of its range. */
+const checkTolerance = 0.05;
+
+/** Whether the answer to an attention check is what it asks for. */
+export function passesCheck(record: ChainRecord, expected: CheckSide, { dimensions }: ChainSettings): boolean {
+  const { dimension, value, reversed, chose_proposal: isChosen, proposal_first: isFirst } = record;
+  if (dimension === undefined) return (isChosen === isFirst) === (expected === "left");
+  const { low, high } = dimensions[dimension]!;
+  const share = (value! - low) / (high - low);
+  const fromLeft = reversed ? 1 - share : share;
+  return (expected === "left" ? fromLeft : 1 - fromLeft) <= checkTolerance;
+}
+
 /** The step of a trial that is fixed in the plan: after the answers to earlier trials of the same chain, by the
     names of their records. */
 export function plannedStep(
@@ -56,18 +71,18 @@ export function plannedStep(
   const { word = "", chain = 1, step = 0 } = trial;
   const start = session.starts[`${trial.practice ? "practice" : word}/${chain}`];
   if (!start) throw new Error(`The plan has no start of chain ${chain} of "${word}".`);
-  const [last] = session.trials
+  const [last] = trial.expected ? [] : session.trials
     .filter((one) => one.number < trial.number && one.practice === trial.practice && one.word === word && one.chain === chain)
     .sort((a, b) => b.number - a.number)
     .flatMap(({ number }) => records[`trial-${number}`]?.chain ?? []);
   const point = last ? pointAfter(last) : start;
-  const shown = { word, chain, step, person: 0, point };
+  const shown = { word, chain, step, person: 0, point, ...(trial.expected ? { expected: trial.expected } : {}) };
   if (settings.method === "gibbs") return { ...shown, dimension: trial.dimension!, slider: trial.slider! };
   return { ...shown, proposal: proposalAt(point, trial.normals!, settings), proposal_first: trial.proposal_first! };
 }
 
 /** What is kept of a step. */
 export const recordOf = (step: Step, answer: StepAnswer, attempt: number): ChainRecord => {
-  const { slider, ...shown } = step;
+  const { slider, expected: _, ...shown } = step;
   return { ...shown, ...(slider ? { start: slider.start, reversed: slider.reversed } : {}), ...answer, attempt };
 };

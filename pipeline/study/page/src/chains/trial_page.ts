@@ -8,7 +8,7 @@ import { countBlurs } from "../questionnaire/measures";
 import { root } from "../questionnaire/surroundings";
 import type { Texts } from "../questionnaire/texts";
 import { ChoiceControl } from "./choice_control";
-import type { ChainSettings } from "./experiment";
+import type { ChainSettings, CheckSide } from "./experiment";
 import { ShownMotions } from "./shown_motions";
 import { SliderControl } from "./slider_control";
 import { coordinateAt, settingAt, type Step, type StepAnswer } from "./steps";
@@ -112,12 +112,22 @@ export class TrialPage {
     const { chains, texts, chainWords } = this.around;
     const word = chains.words[step.word] ?? step.word;
     this.progress.textContent = progress;
-    this.head.replaceChildren(...withWord(this.slider ? chainWords.make : texts.whichIsMore, word));
+    this.head.replaceChildren(...(step.expected ? [new Text(this.checkText(step.expected))]
+      : withWord(this.slider ? chainWords.make : texts.whichIsMore, word)));
   }
 
-  /** `data-step` says which step is shown, `data-count` the how manieth on this page it is. */
-  private open({ word, chain, step }: Step): void {
+  private checkText(expected: CheckSide): string {
+    const { chainWords } = this.around;
+    if (!this.slider) return chainWords.checkFigure({ number: expected === "left" ? 1 : 2 });
+    return expected === "left" ? chainWords.checkLeft : chainWords.checkRight;
+  }
+
+  /** `data-step` says which step is shown, `data-count` the how manieth on this page it is,
+      `data-check` what an attention check asks for. */
+  private open({ word, chain, step, expected }: Step): void {
     const { dataset } = this.page;
+    if (expected) dataset.check = expected;
+    else delete dataset.check;
     dataset.step = `${word}/${chain}/${step}`;
     dataset.count = String(Number(dataset.count ?? 0) + 1);
     this.controls.inert = false;

@@ -115,6 +115,8 @@ export function showFormerEnd(
     showEarlyEnd(texts, [destination ? texts.refusedHere : texts.refused], { parameters, destination });
   else if (ends && ended === "screened_out")
     showEarlyEnd(texts, [texts.screenedOut], { parameters, destination }, leave);
+  else if (ended === "failed_attention")
+    showEarlyEnd(texts, [texts.failedAttention], { parameters, destination });
   else return false;
   return true;
 }

@@ -203,6 +203,7 @@ const closing: Record<string, SessionClosed["why"]> = {
   refused: "refused",
   screened_out: "screened_out",
   withdrawn: "withdrawn",
+  failed_attention: "failed_attention",
   enough: "enough",
 };
 

@@ -51,4 +51,12 @@ inline constexpr char shared_chains[] =
     "largeness]}, chains: 2, iterations: 3, across_participants: true, people_per_step: 3, "
     "trials_per_participant: 40, practice: 1}";
 
+inline constexpr char chains_until[] =
+    "{participants: 30, method: gibbs, words: [sad, happy], space: {groups: [quickness, "
+    "largeness]}, chains: 4, until: {r_hat: 1.1, at_least: 6, at_most: 40}, across_participants: "
+    "true, trials_per_participant: 40, practice: 0}";
+inline constexpr char checked_chains[] =
+    "{participants: 4, method: gibbs, words: [sad, happy], space: {groups: all}, iterations: 4, "
+    "attention: {every: 6}, practice: 1}";
+
 }  // namespace mien::pipeline

@@ -162,6 +162,70 @@ TEST(AdaptiveChecks, RefuseWhatCannotBe) {
   EXPECT_NE(with("space: {groups: [quicknes]}").find("words.yaml:6:"), std::string::npos);
 }
 
+TEST(ChainPlan, HasAttentionChecksBetweenItsTrials) {
+  const ChainExample with(checked_chains);
+  const ChainExample without(
+      "{participants: 4, method: gibbs, words: [sad, happy], space: {groups: all}, iterations: 4, "
+      "practice: 1}");
+  std::set<std::string> sides;
+  for (std::size_t s = 0; s < with.study.sessions.size(); ++s) {
+    const ChainSession& session = with.study.sessions[s];
+    std::vector<PlannedStep> others;
+    int checks = 0, since = 0;
+    for (std::size_t i = 0; i < session.steps.size(); ++i) {
+      const Trial& trial = session.plan.trials[i];
+      EXPECT_EQ(trial.number, static_cast<int>(i) + 1);
+      if (!trial.is_attention_check()) {
+        others.push_back(session.steps[i]);
+        since += trial.practice ? 0 : 1;
+        continue;
+      }
+      // Every six trials, at most one and a half earlier or later.
+      EXPECT_GE(since, 4);
+      EXPECT_LE(since, 8);
+      since = 0;
+      sides.insert(trial.expected);
+      EXPECT_EQ(session.steps[i].name, (ChainName{check_word, 1, session.plan.participant}));
+      EXPECT_EQ(session.steps[i].step, checks++);
+      EXPECT_FALSE(trial.is_analysed());
+    }
+    EXPECT_EQ(checks, 5);  // 32 trials
+    EXPECT_TRUE(session.starts.contains("check/1"));
+    // The steps of the chains are those without checks.
+    ASSERT_EQ(others.size(), without.study.sessions[s].steps.size());
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      EXPECT_EQ(others[i].name, without.study.sessions[s].steps[i].name);
+      EXPECT_EQ(others[i].view.slider.start, without.study.sessions[s].steps[i].view.slider.start);
+    }
+  }
+  EXPECT_EQ(sides, (std::set<std::string>{"left", "right"}));
+}
+
+TEST(AdaptiveChecks, RefuseEndsAndChecksThatCannotBe) {
+  const auto refused = [](const std::string& more, const std::string& wrong) {
+    EXPECT_NE(chain_fault("{participants: 4, method: gibbs, space: {groups: all}, " + more + "}")
+                  .find(wrong),
+              std::string::npos)
+        << more << ": "
+        << chain_fault("{participants: 4, method: gibbs, space: {groups: all}, " + more + "}");
+  };
+  const std::string shared = "words: [sad], across_participants: true, ";
+  EXPECT_EQ(chain_fault("{participants: 4, method: gibbs, space: {groups: all}, " + shared +
+                        "chains: 2, until: {r_hat: 1.1, at_most: 20}, attention: {every: 4}}"),
+            "");
+  refused(shared + "until: {r_hat: 1.1, at_most: 20}", "there is one");
+  refused("words: [sad], chains: 2, until: {r_hat: 1.1, at_most: 20}",
+          "needs chains that a server follows");
+  refused(shared + "chains: 2, iterations: 4, until: {r_hat: 1.1, at_most: 20}",
+          "stated in `until` as well");
+  refused(shared + "chains: 2, until: {r_hat: 1.1, at_most: 8}", "is less than at_least, 10");
+  refused(shared + "chains: 2, until: {r_hat: 1, at_most: 20}", "until.r_hat");
+  refused(shared + "chains: 2, until: {r_hat: 1.1}", "at_most");
+  refused("words: [sad], attention: {max_failed_checks: 2}", "no effect without attention checks");
+  refused("words: [check]", "check is the name of other trials");
+  refused("words: [sad, practice]", "practice is the name of other trials");
+}
+
 TEST(AdaptiveChecks, RefuseExamplesThatDoNotVary) {
   ManifestReading read = chain_reading(
       "{participants: 1, method: gibbs, words: [sad], space: {weights: [sad, hapy]}}");

@@ -270,6 +270,78 @@ TEST(ChainAnswers, OfWhoLeftEarlyAreNotUsed) {
   EXPECT_EQ(results.words[0].chains + results.words[1].chains, 7);
 }
 
+TEST(ChainAnswers, OfInattentiveParticipantsAreNotUsed) {
+  const ChainExample example(checked_chains);
+  std::vector<ChainAnswer> answers = simulated(example);
+  const auto fail = [&](const std::string& participant, int count) {
+    for (ChainAnswer& one : answers) {
+      if (one.participant != participant || one.expected.empty() || count-- <= 0) continue;
+      const DimensionRange& range = example.study.design.space[one.answer.dimension];
+      one.answer.value = std::midpoint(range.low, range.high);
+    }
+  };
+  fail("p002", 2);
+  fail("p003", 1);
+  const ChainAnswers read = read_back(example, answers);
+  EXPECT_EQ(read.failed_checks.at("p002"), 2);
+  const ChainResults results = chain_results(example.study, read, {.max_failed_checks = 1});
+  EXPECT_EQ(results.inattentive, std::vector<std::string>{"p002"});
+  for (const WordSamples& word : results.words) EXPECT_EQ(word.chains, 3);
+  EXPECT_EQ(chain_results(example.study, read, {.max_failed_checks = 0}).inattentive.size(), 2u);
+  EXPECT_EQ(chain_results(example.study, read, {.max_failed_checks = 2}).words[0].chains, 4);
+}
+
+TEST(AttentionChecks, ArePassedAtTheEndOrTheSideThatTheyAskFor) {
+  ChainDesign design{.dimensions = {"a"}, .space = {{0.2, 0.6}}};
+  const auto slid = [&](double value, bool is_reversed, const char* expected) {
+    return passes_check(design, expected,
+                        {.dimension = 0, .slider = {.is_reversed = is_reversed}, .value = value});
+  };
+  EXPECT_TRUE(slid(0.2, false, "left"));
+  EXPECT_TRUE(slid(0.219, false, "left"));
+  EXPECT_FALSE(slid(0.221, false, "left"));
+  EXPECT_FALSE(slid(0.2, false, "right"));
+  EXPECT_TRUE(slid(0.6, true, "left"));
+  EXPECT_TRUE(slid(0.2, true, "right"));
+  EXPECT_FALSE(slid(0.4, true, "right"));
+  design.method = ChainMethod::mcmc;
+  for (const bool is_first : {true, false})
+    for (const bool is_chosen : {true, false}) {
+      const ChainRecord record{
+          .proposal = {0.3}, .is_proposal_first = is_first, .chose_proposal = is_chosen};
+      // The first motion is at the left.
+      EXPECT_EQ(passes_check(design, "left", record), is_first == is_chosen);
+      EXPECT_EQ(passes_check(design, "right", record), is_first != is_chosen);
+    }
+}
+
+TEST(ChainResults, EndOnceChainsAgree) {
+  const ChainExample example(chains_until);
+  const ChainResults results = results_of(example);
+  const ChainEnd& end = *example.manifest.adaptive->until;
+  for (const WordSamples& word : results.words) {
+    // Half of the sweeps are samples, as many as R̂ was computed from.
+    const int sweeps = word.discarded + word.samples / word.chains;
+    EXPECT_GE(sweeps, end.at_least);
+    EXPECT_LT(sweeps, end.at_most);
+    EXPECT_EQ(word.discarded, sweeps / 2);
+    for (const DimensionSamples& of : word.dimensions) EXPECT_LE(of.r_hat, end.r_hat);
+  }
+  // One sweep less was not enough, or too few.
+  const ChainResults& all = results;
+  for (const WordSamples& word : all.words) {
+    const int sweeps = word.discarded + word.samples / word.chains;
+    if (sweeps == end.at_least) continue;
+    std::vector<std::vector<std::vector<double>>> paths;
+    for (const ChainPath& path : all.paths)
+      if (path.name.word == word.word) {
+        paths.push_back(path.points);
+        paths.back().resize(2 * static_cast<std::size_t>(sweeps - 1));
+      }
+    EXPECT_FALSE(have_converged(paths, 2, end.r_hat)) << word.word;
+  }
+}
+
 TEST(WordRatings, AreHighestForWhatLooksLikeThePrototype) {
   const ChainExample example(
       "{participants: 20, method: gibbs, words: [sad, angry], space: {groups: all}, "
@@ -385,7 +457,8 @@ TEST(WordPrototypes, HaveANameThatManifestsPermit) {
 TEST(ChainPlots, NameWordsAndDimensionsAndSaySimulated) {
   const ChainExample example(own_chains);
   const ChainResults results = results_of(example);
-  for (const Plot& plot : {chains_plot(results), prototypes_plot(results)}) {
+  for (const Plot& plot :
+       {chains_plot(results), prototypes_plot(results), densities_plot(results)}) {
     const auto canvas = Canvas::svg(plot.width, plot.height);
     plot.draw(*canvas);
     std::string all;

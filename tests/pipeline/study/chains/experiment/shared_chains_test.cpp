@@ -165,6 +165,95 @@ TEST_F(SharedChainsTest, FollowFromTheirAnswersInAnyOrderWithinAStep) {
   }
 }
 
+TEST(SharedChainsUntil, EndTheChainsOfAWordThatAgreeAndNoOthers) {
+  const ChainExample example(chains_until);
+  const ChainFacts facts = chain_facts(example.study.experiment);
+  ASSERT_TRUE(facts.design.until);
+  SharedChains chains(facts);
+  std::vector<std::pair<int, ChainRecord>> given;
+  NoStep reason = NoStep::busy;
+  int number = 0;
+  std::map<std::string, int> last;
+  while (number < 2000) {
+    const int session = number % 30;
+    const auto step = chains.assign(session, std::to_string(number), 0, reason);
+    if (!step) break;
+    // Sliders of "sad" chains agree; those of "happy" stay apart by chain.
+    const double share =
+        step->name.word == "sad" ? 0.3 + 0.01 * ((number * 7) % 10) : 0.2 * step->name.chain;
+    const ChainRecord record = answer_to(facts, *step, share + 0.001 * (number % 5));
+    EXPECT_TRUE(chains.is_open(session, record, 0));
+    chains.add(session, record);
+    given.emplace_back(session, record);
+    last[step->name.key()] = step->step + 1;
+    ++number;
+  }
+  EXPECT_EQ(reason, NoStep::finished);
+  EXPECT_TRUE(chains.is_finished());
+  int sad = 0;
+  for (const auto& [key, steps] : last) {
+    if (key.starts_with("happy")) {
+      EXPECT_EQ(steps, 80) << key;
+    } else {
+      EXPECT_GE(steps, 12) << key;
+      EXPECT_LT(steps, 30) << key;
+      sad += steps;
+    }
+  }
+  EXPECT_EQ(chains.complete_steps(), 320 + sad);
+  EXPECT_EQ(chains.all_steps(), 320 + sad);
+  // Followed again, chain by chain, they have ended as well, and take nothing more.
+  SharedChains again(facts);
+  std::ranges::stable_sort(given, {}, [](const auto& one) {
+    return std::tuple(one.second.word, one.second.chain, one.second.step);
+  });
+  for (const auto& [session, record] : given) again.add(session, record);
+  EXPECT_TRUE(again.is_finished());
+  ChainRecord more =
+      std::ranges::find_if(given, [](const auto& one) { return one.second.word == "sad"; })->second;
+  more.step = last.at("sad/1");
+  EXPECT_FALSE(again.is_open(1, more, 0));
+}
+
+TEST_F(SharedChainsTest, ForgetAnswersToOpenStepsAlone) {
+  SharedChains chains(facts_);
+  // Session 0 answers the first step of a chain with two others, and the second one alone.
+  const auto first = assign(chains, 0, "trial-2");
+  chains.add(0, answer_to(facts_, *first, 0.9));
+  int others = 0;
+  for (int session = 1; session < 20 && others < 2; ++session) {
+    const auto step = assign(chains, session, "trial-2");
+    if (step && step->name == first->name) {
+      chains.add(session, answer_to(facts_, *step, 0.9));
+      ++others;
+    }
+  }
+  const auto second = [&] {
+    for (int trial = 3; trial < 30; ++trial) {
+      const auto step = assign(chains, 0, "trial-" + std::to_string(trial));
+      if (step && step->name == first->name) return step;
+    }
+    return std::optional<AssignedStep>();
+  }();
+  ASSERT_TRUE(second);
+  ASSERT_EQ(second->step, 1);
+  chains.add(0, answer_to(facts_, *second, 0.1));
+  const std::vector<double> point = second->point;
+  ASSERT_EQ(chains.open_answers(0).size(), 1u);
+  EXPECT_EQ(chains.open_answers(0)[0].step, 1);
+  chains.forget_open(0);
+  EXPECT_TRUE(chains.open_answers(0).empty());
+  // The step is open again for three people, at the point that the first answers led to.
+  std::set<int> persons;
+  for (int session = 30; session < 90; ++session) {
+    const auto step = assign(chains, session, "trial-2");
+    if (!step || step->name != first->name) continue;
+    EXPECT_EQ(step->point, point);
+    persons.insert(step->person);
+  }
+  EXPECT_EQ(persons, (std::set<int>{0, 1, 2}));
+}
+
 /// A served experiment, asked without a network.
 class ChainService : public testing::Test {
  protected:
@@ -388,6 +477,137 @@ TEST_F(ChainService, RefusesRecordsThatCannotBe) {
   EXPECT_EQ(ask("GET", of(0) + "step/trial-3").status, 405);
   EXPECT_EQ(ask("POST", of(0) + "step/trial-3", {{"session", "another"}}).status, 409);
   EXPECT_EQ(ask("POST", of(0) + "step/trial-3", json::array()).status, 400);
+}
+
+constexpr char checked_shared[] =
+    "{participants: 6, method: gibbs, words: [sad, happy], space: {groups: [quickness, "
+    "largeness]}, chains: 2, iterations: 3, across_participants: true, people_per_step: 3, "
+    "trials_per_participant: 40, practice: 1, attention: {every: 4, max_failed_checks: 1}}";
+
+class CheckedChainService : public ChainService {
+ protected:
+  CheckedChainService() : ChainService(checked_shared) {}
+
+  /// The answer to a check, and whether it is what the check asks for.
+  HttpResponse give_check(int session, int trial, bool passes) {
+    const json own = json::parse(ask("GET", of(session) + "session.json").body).at("sessions")[0];
+    const json& planned = own.at("trials").at(static_cast<std::size_t>(trial) - 1);
+    const json& range =
+        study_.experiment.at("chains").at("dimensions").at(planned.at("dimension").get<int>());
+    const bool is_left = (planned.at("expected") == "left") == passes;
+    const bool is_low = is_left != planned.at("slider").at("reversed").get<bool>();
+    return give(session, {{"record", "trial-" + std::to_string(trial)},
+                          {"responses", json::array()},
+                          {"chain",
+                           {{"word", "check"},
+                            {"chain", 1},
+                            {"step", planned.at("step")},
+                            {"person", 0},
+                            {"point", own.at("starts").at("check/1")},
+                            {"dimension", planned.at("dimension")},
+                            {"start", planned.at("slider").at("start")},
+                            {"reversed", planned.at("slider").at("reversed")},
+                            {"value", is_low ? range.at("low") : range.at("high")},
+                            {"moves", 1},
+                            {"attempt", 1}}}});
+  }
+
+  bool is_check(int trial) const {
+    return study_.plans[0].trials.at(static_cast<std::size_t>(trial) - 1).is_attention_check();
+  }
+
+  /// Answers trials of a session until it ends or `last`; the number of checks answered.
+  int answer_until(int session, int last, bool passes) {
+    int checks = 0;
+    for (int trial = 2; trial <= last; ++trial) {
+      if (service_->sessions().state(session).ended) break;
+      if (study_.plans[static_cast<std::size_t>(session)]
+              .trials[static_cast<std::size_t>(trial) - 1]
+              .is_attention_check()) {
+        EXPECT_EQ(give_check(session, trial, passes).status, 200);
+        ++checks;
+        continue;
+      }
+      const HttpResponse given = step(session, trial);
+      if (given.status != 200) break;
+      EXPECT_EQ(answer(session, trial, json::parse(given.body), 0.5).status, 200);
+    }
+    return checks;
+  }
+};
+
+TEST_F(CheckedChainService, ReplacesParticipantsWhoFailChecks) {
+  begin(0);
+  // One failed check is allowed; four steps are open, one of each chain, and then nothing more.
+  EXPECT_EQ(answer_until(0, 12, false), 1);
+  EXPECT_EQ(service_->sessions().state(0).failed_checks, 1);
+  EXPECT_FALSE(service_->sessions().state(0).ended);
+  // Others complete steps, so that there are more for session 0.
+  begin(1);
+  begin(2);
+  for (const int session : {1, 2}) answer_until(session, 5, true);
+  const int before = service_->sessions().step_progress().first;
+  const std::size_t stored = store_->steps().size();
+  while (!service_->sessions().state(0).ended) {
+    const int trial = static_cast<int>(service_->sessions().state(0).stored);
+    ASSERT_LT(trial, 45);
+    // The trial after those stored: consent comes before them.
+    if (study_.plans[0].trials[static_cast<std::size_t>(trial) - 1].is_attention_check()) {
+      const HttpResponse failed = give_check(0, trial, false);
+      ASSERT_EQ(failed.status, 200);
+      EXPECT_EQ(json::parse(failed.body).at("ended"), "failed_attention");
+      break;
+    }
+    const HttpResponse given = step(0, trial);
+    if (given.status != 200) {
+      // Wait for nobody: let the others go on.
+      now_ += 200;
+      for (const int session : {1, 2}) answer_until(session, 5 + trial, true);
+      if (step(0, trial).status != 200) GTEST_SKIP() << "no step left";
+      continue;
+    }
+    ASSERT_EQ(answer(0, trial, json::parse(given.body), 0.5).status, 200);
+  }
+  ASSERT_EQ(service_->sessions().state(0).ended, SessionEnd::failed_attention);
+  EXPECT_GE(service_->sessions().step_progress().first, before);
+  EXPECT_GE(store_->steps().size() + 4, stored);
+  // Nothing of session 0 is in a step that is not complete, also after a restart.
+  for (int round = 0; round < 2; ++round) {
+    std::map<std::pair<std::string, int>, std::vector<int>> people;
+    for (const StoredStep& one : store_->steps())
+      people[{one.chain, one.step}].push_back(one.session.value_or(-1));
+    for (const auto& [place, sessions] : people) {
+      if (sessions.size() < 3) {
+        EXPECT_EQ(std::ranges::count(sessions, 0), 0);
+      }
+    }
+    // The table is what the chains followed from.
+    write_file(folder_.path() / "steps.csv", steps_csv(study_, service_->sessions()));
+    const ChainExample again(checked_shared);
+    const ChainAnswers read = read_chain_answers({folder_.path() / "steps.csv"}, again.study);
+    EXPECT_EQ(read.answers.size(), store_->steps().size());
+    EXPECT_EQ(read.failed_checks.at("p001"), 2);
+    chain_paths(again.study, true, read);
+    start();
+    EXPECT_EQ(service_->sessions().state(0).ended, SessionEnd::failed_attention);
+  }
+  EXPECT_EQ(step(0, 40).status, 404);
+}
+
+TEST_F(CheckedChainService, DoesNotLetChecksBeLeftOut) {
+  begin(0);
+  int trial = 2;
+  for (; !is_check(trial); ++trial) {
+    const HttpResponse given = step(0, trial);
+    ASSERT_EQ(given.status, 200);
+    ASSERT_EQ(answer(0, trial, json::parse(given.body), 0.5).status, 200);
+  }
+  EXPECT_EQ(step(0, trial).status, 404);
+  EXPECT_EQ(
+      give(0, {{"record", "trial-" + std::to_string(trial)}, {"responses", json::array()}}).status,
+      409);
+  EXPECT_EQ(give_check(0, trial, true).status, 200);
+  EXPECT_EQ(service_->sessions().state(0).failed_checks, 0);
 }
 
 }  // namespace
