@@ -2,7 +2,9 @@
 #include <cmath>
 #include <csignal>
 #include <map>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -90,7 +92,12 @@ class ChainsPage : public LivePage {
       EXPECT_EQ(row.at("is_practice"), is_practice ? "1" : "0");
       EXPECT_EQ(row.at("word") + "/" + row.at("chain"), word + "/" + chain);
       EXPECT_EQ(row.at("step"), std::to_string(trial.at("step").get<int>()));
-      Point& point = points.at((is_practice ? "practice" : word) + "/" + chain);
+      const bool is_check = trial.contains("expected");
+      EXPECT_EQ(row.at("is_check"), is_check ? "1" : "0");
+      EXPECT_EQ(row.at("passed"), is_check ? "1" : "");
+      // An answer to a check leads nowhere.
+      Point check = plan.at("starts").value("check/1", Point());
+      Point& point = is_check ? check : points.at((is_practice ? "practice" : word) + "/" + chain);
       EXPECT_EQ(point_in(row.at("point")), point);
       if (chains.at("method") == "gibbs")
         expect_slider(trial, chains, row, point);
@@ -216,6 +223,31 @@ TEST_F(ChainsPage, IsTakenByKeyboardAloneAndByTouch) {
   }
 }
 
+TEST_F(ChainsPage, HasAttentionChecksThatLeadNowhere) {
+  use(std::string(gibbs) + "  attention: {every: 3}\n");
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("whole");
+  const std::vector<Row> rows = by_trial(told);
+  expect_planned(rows);
+  expect_chosen(told);
+  expect_results(told);
+  EXPECT_EQ(std::ranges::count_if(rows, [](const Row& row) { return row.at("is_check") == "1"; }),
+            2);
+}
+
+TEST_F(ChainsPage, EndsTheSessionOfWhoFailsChecks) {
+  use(std::string(gibbs) + "  attention: {every: 3, max_failed_checks: 0}\n");
+  Running server = serve();
+  const json told = played("careless", link_of(0));
+  for (const char* page : {"said", "again"})
+    EXPECT_NE(told.at(page).get<std::string>().find("attention checks were not answered"),
+              std::string::npos)
+        << told.at(page);
+  EXPECT_FALSE(told.at("posted").contains("ending"));
+  server.send(SIGINT);
+  EXPECT_EQ(server.wait().code, 0);
+}
+
 TEST_F(ChainsPage, TurnsPhonesAwayWhereTheyAreRefused) {
   std::string text = std::string(adaptive_text) + gibbs;
   text.replace(text.find("phones: served"), 14, "phones: refused");
@@ -296,6 +328,73 @@ TEST_F(ChainsPage, LeadsChainsAcrossParticipantsUntilTheyAreComplete) {
     EXPECT_EQ(server.wait().code, 0);
     std::filesystem::remove(store());
   }
+}
+
+/// Two chains of four steps, each by two people. Whatever a killed server has said was stored is
+/// there, and no place of a step is given to two people.
+TEST_F(ChainsPage, IsTakenByFiveAtOnceWhileTheServerIsKilled) {
+  std::string text = std::string(adaptive_text) + gibbs +
+                     "  chains: 2\n  across_participants: true\n  people_per_step: 2\n"
+                     "  answer_within_s: 30\n  trials_per_participant: 5\n";
+  text.replace(text.find("participants: 2"), 15, "participants: 5");
+  text.replace(text.find("[sad, happy]"), 12, "[sad]");
+  scratch.write("study.yaml", text);
+  auto server = serving("0");
+  std::string links = link_of(0);
+  const std::size_t colon = links.find(':', 7);
+  const std::string port = links.substr(colon + 1, links.find('/', colon) - colon - 1);
+  for (int person = 1; person < 5; ++person) links += "," + link_of(person);
+  const auto ready = scratch.path() / "ready";
+  Running people(script_words("scenarios.mjs", {"together", links, ready.string()}));
+  for (int tries = 0; tries < 1200 && !std::filesystem::exists(ready) && people.is_running();
+       ++tries)
+    pause_for(0.1);
+  ASSERT_TRUE(std::filesystem::exists(ready));
+  int kills = 0;
+  for (; kills < 6 && people.is_running(); ++kills) {
+    server->send(SIGKILL);
+    server->wait();
+    pause_for(0.5);
+    server = serving(port);
+    pause_for(4.0);
+  }
+  EXPECT_GE(kills, 2);
+  const Ended ended = people.wait(300.0);
+  ASSERT_EQ(ended.code, 0) << ended.errors;
+  const json told = json::parse(ended.output);
+  EXPECT_EQ(told.at("troubles"), json::array());
+  // Chain, step and person, and who gave the answer.
+  std::map<std::tuple<int, int, int>, std::pair<std::size_t, json>> given;
+  for (std::size_t who = 0; who < 5; ++who) {
+    EXPECT_TRUE(told.at("posted").at(who).contains("ending"));
+    for (const auto& [name, record] : told.at("posted").at(who).items()) {
+      if (!record.contains("chain") || name == "trial-1") continue;  // practice
+      const json& chain = record.at("chain");
+      EXPECT_TRUE(given
+                      .emplace(std::tuple(chain.at("chain").get<int>(), chain.at("step").get<int>(),
+                                          chain.at("person").get<int>()),
+                               std::pair(who, chain))
+                      .second)
+          << chain;
+    }
+  }
+  ASSERT_EQ(given.size(), 16U);
+  for (int chain = 1; chain <= 2; ++chain) {
+    json point = given.at({chain, 0, 0}).second.at("point");
+    for (int step = 0; step < 4; ++step) {
+      const auto& [one, first] = given.at({chain, step, 0});
+      const auto& [other, second] = given.at({chain, step, 1});
+      EXPECT_NE(one, other);
+      EXPECT_EQ(first.at("point"), point);
+      EXPECT_EQ(second.at("point"), point);
+      const std::size_t free = first.at("dimension");
+      EXPECT_EQ(second.at("dimension"), free);
+      // The median of two.
+      point.at(free) = 0.5 * (first.at("value").get<double>() + second.at("value").get<double>());
+    }
+  }
+  server->send(SIGINT);
+  EXPECT_EQ(server->wait().code, 0);
 }
 
 TEST_F(ChainsPage, MovesTheFloorAsFarAsTheFigureWalks) {

@@ -34,9 +34,15 @@ bool LivePage::is_exported() const {
   return true;
 }
 
-Running LivePage::serve() const {
-  return Running({MIEN_PROGRAM, "study", "serve", study().string(), "--port", "0", "--json",
-                  "--store", store().string()});
+Running LivePage::serve() const { return Running(serve_words("0")); }
+
+std::unique_ptr<Running> LivePage::serving(const std::string& port) const {
+  return std::make_unique<Running>(serve_words(port));
+}
+
+std::vector<std::string> LivePage::serve_words(const std::string& port) const {
+  return {MIEN_PROGRAM, "study",  "serve",   study().string(), "--port",
+          port,         "--json", "--store", store().string()};
 }
 
 std::string LivePage::link_of(int participant) const {
@@ -55,15 +61,20 @@ std::string LivePage::link_of(int participant) const {
   return "";
 }
 
-Ended LivePage::run_script(const std::string& script,
-                           const std::vector<std::string>& arguments) const {
+std::vector<std::string> LivePage::script_words(const std::string& script,
+                                                const std::vector<std::string>& arguments) const {
   const std::string said = run_program({"sh", "-c", "command -v " + chromium()}).output;
   std::vector<std::string> command = {"env", "MIEN_CHROMIUM=" + said.substr(0, said.find('\n')),
                                       "node"};
   if (arguments.empty()) command.emplace_back("--test");
   command.push_back((pages() / "work/tests" / kind_ / script).string());
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return run_program(command, 500.0);
+  return command;
+}
+
+Ended LivePage::run_script(const std::string& script,
+                           const std::vector<std::string>& arguments) const {
+  return run_program(script_words(script, arguments), 500.0);
 }
 
 json LivePage::played(const std::string& scenario, const std::string& where) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,20 +35,28 @@ class LivePage : public testing::Test {
 
   /// Serves the study, and keeps what comes in store().
   Running serve() const;
+  /// The same at this port, which a server that was killed had; 0: a free one.
+  std::unique_ptr<Running> serving(const std::string& port) const;
   /// The link of a participant, from 0, of a server that is starting.
   std::string link_of(int participant) const;
 
   /// What a scenario tells, in which the browser complained of nothing.
   nlohmann::json played(const std::string& scenario, const std::string& where) const;
+  /// The words that run a script of the kind with these arguments; without any, as tests of
+  /// Node.js.
+  std::vector<std::string> script_words(const std::string& script,
+                                        const std::vector<std::string>& arguments) const;
   nlohmann::json played(const std::string& scenario) const {
     return played(scenario, folder().string());
   }
-  /// Runs a script of the kind with these arguments; without any, as tests of Node.js.
+  /// Runs script_words().
   Ended run_script(const std::string& script, const std::vector<std::string>& arguments) const;
 
   Scratch scratch;
 
  private:
+  std::vector<std::string> serve_words(const std::string& port) const;
+
   std::string kind_, manifest_;
 };
 

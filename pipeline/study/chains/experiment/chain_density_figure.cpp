@@ -14,9 +14,9 @@ namespace {
 constexpr double ridge_height = 26.0;
 constexpr double ridge_width = 360.0;
 constexpr double dimension_gap = 26.0;
-constexpr double map_size = 130.0;
+constexpr double map_size = 108.0;
 constexpr double map_gap = 14.0;
-constexpr int maps_per_row = 3;
+constexpr int maps_per_row = 4;
 constexpr int map_cells = 52;
 constexpr int pixels_per_cell = 5;
 
@@ -183,20 +183,20 @@ void draw_maps(Canvas& canvas, const ChainResults& results, double top) {
   canvas.text({figure_margin, top + 8.0},
               "Density of the samples in the plane in which they vary most",
               {.size = 8.5, .bold = true});
-  canvas.text({figure_margin, top + 21.0},
-              "right: " + component_text(results, maps.plane, 0) +
-                  ";  up: " + component_text(results, maps.plane, 1),
-              {.size = 7.5, .colour = quiet_ink, .max_width = names_width + ridge_width});
+  const TextStyle quiet{.size = 7.5, .colour = quiet_ink, .max_width = names_width + ridge_width};
+  canvas.text({figure_margin, top + 21.0}, "right: " + component_text(results, maps.plane, 0),
+              quiet);
+  canvas.text({figure_margin, top + 32.0}, "up: " + component_text(results, maps.plane, 1), quiet);
   canvas.text(
-      {figure_margin, top + 32.0},
+      {figure_margin, top + 43.0},
       "light to dark: low to high; large circle: prototype of the word; small: of the others",
-      {.size = 7.5, .colour = quiet_ink});
+      quiet);
   for (std::size_t w = 0; w < results.words.size(); ++w) {
     const auto column = static_cast<double>(w % maps_per_row);
     const auto row = static_cast<double>(w / maps_per_row);
     draw_map(canvas, results, maps, w,
              {figure_margin + column * (map_size + map_gap),
-              top + 54.0 + row * (map_size + map_gap + 14.0), map_size, map_size});
+              top + 65.0 + row * (map_size + map_gap + 14.0), map_size, map_size});
   }
 }
 
@@ -209,7 +209,7 @@ Plot densities_plot(const ChainResults& results) {
   const double curves = 2.0 * figure_margin + figure_header + dimensions * each;
   const bool has_maps = results.design.dimensions.size() > 1;
   const double rows = std::ceil(words / maps_per_row);
-  const double maps = has_maps ? 48.0 + rows * (map_size + map_gap + 14.0) : 0.0;
+  const double maps = has_maps ? 57.0 + rows * (map_size + map_gap + 14.0) : 0.0;
   const double width = 2.0 * figure_margin + names_width + ridge_width + 16.0;
   return {"Densities", width, curves + maps,
           [&results, width, each, dimensions, has_maps](Canvas& canvas) {

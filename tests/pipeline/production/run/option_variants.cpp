@@ -477,6 +477,7 @@ const Values chosen_values[] = {
     {"adaptive.until.r_hat", "[1.1, 1.2]"},
     {"adaptive.until.at_least", "[8, 9]"},
     {"adaptive.until.at_most", "[20, 30]"},
+    {"adaptive.attention", R"([{"every": 5}, {"every": 6}])"},
     {"adaptive.colour", R"(["#112233", "#445566"])"},
     {"adaptive.demographics",
      R"([[{"id": "age", "ask": "How old?", "answer": "number"}], [{"id": "sex", "ask": "Which?", "answer": ["f", "m"]}]])"},

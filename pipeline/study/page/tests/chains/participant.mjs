@@ -40,8 +40,26 @@ const chosen = new WeakMap();
 export const chosenOn = (page) => chosen.get(page) ?? [];
 const note = (page, what) => chosen.set(page, [...chosenOn(page), what]);
 
-async function slide(page, how, count) {
+/** What an attention check asks for, "left" or "right", or the other of somebody careless; undefined of other trials. */
+const checkOf = async (page, careless) => {
+  const asked = await page.evaluate(() => document.querySelector(".chains").dataset.check);
+  return asked && careless ? (asked === "left" ? "right" : "left") : asked;
+};
+
+/** Moves the slider to an end, by keys or with the mouse. */
+async function slideTo(page, how, side) {
   const slider = page.locator(".slider-control input");
+  // From the other end, so that it moves.
+  await slider.press(side === "left" ? "End" : "Home");
+  await withMotion(page, () => slider.press(side === "left" ? "Home" : "End"));
+  note(page, Number(await slider.inputValue()));
+  await (how === "touch" ? page.locator(".slider-control .main").tap() : page.locator(".slider-control .main").click());
+}
+
+async function slide(page, how, count, careless) {
+  const slider = page.locator(".slider-control input");
+  const side = await checkOf(page, careless);
+  if (side) return slideTo(page, how, side);
   if (how === "keys") {
     await page.waitForFunction(() => document.activeElement?.matches(".slider-control input"));
     const key = Number(await slider.inputValue()) > 0.5 ? "ArrowLeft" : "ArrowRight";
@@ -60,19 +78,20 @@ async function slide(page, how, count) {
 }
 
 /** Two of three times the first figure. */
-async function choose(page, how, count) {
+async function choose(page, how, count, careless) {
   await page.waitForTimeout(450);  // sooner, nothing is chosen
-  const number = count % 3 === 0 ? 2 : 1;
+  const side = await checkOf(page, careless);
+  const number = side ? (side === "left" ? 1 : 2) : count % 3 === 0 ? 2 : 1;
   note(page, number);
   if (how === "keys") return page.keyboard.press(String(number));
   const pick = page.locator(`[data-pick="${number}"]`);
   return how === "touch" ? pick.tap() : pick.click();
 }
 
-export async function answer(page, how = "mouse") {
+export async function answer(page, how = "mouse", careless = false) {
   const count = await trialOpened(page);
   const isGibbs = (await page.locator(".slider-control").count()) > 0;
-  await (isGibbs ? slide : choose)(page, how, count);
+  await (isGibbs ? slide : choose)(page, how, count, careless);
   await isAnswered(page, count);
 }
 
@@ -89,9 +108,9 @@ async function goOn(page, how) {
 
 /**
  * Takes the experiment that is open to its end. `each(sight, title)` is told of every page and of every trial
- * ("chains"); it may reload, and then returns true.
+ * ("chains"); it may reload, and then returns true. Whoever is `careless` fails attention checks.
  */
-export async function take(page, { how = "mouse", each = async () => false } = {}) {
+export async function take(page, { how = "mouse", careless = false, each = async () => false } = {}) {
   for (let pages = 0; pages < 500; pages += 1) {
     await page.waitForSelector(".page, .chains", { timeout: 60000 });
     const seen = await sight(page, "chains");
@@ -102,7 +121,7 @@ export async function take(page, { how = "mouse", each = async () => false } = {
     if (seen === "chains") await trialOpened(page);
     if (await each(seen, await page.locator("h1").first().textContent())) continue;
     if (seen === "end") return;
-    await (seen === "chains" ? answer(page, how) : goOn(page, how));
+    await (seen === "chains" ? answer(page, how, careless) : goOn(page, how));
   }
   throw new Error("the experiment has no end");
 }

@@ -1,7 +1,7 @@
 // Participants of an experiment with chains in a real browser.
 //   node scenarios.mjs NAME FOLDER-OR-ADDRESS [PICTURES]
 // prints what came of it as JSON: the files that were saved, and whatever the browser complained of.
-import { readdirSync } from "node:fs";
+import { readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { filesOfZip, serve } from "../http_server.mjs";
 import { desktop, opener, phone, withFiles } from "../live/opened.mjs";
@@ -69,6 +69,32 @@ async function jatos() {
   return { troubles: opened.troubles, result: kept.result, files: kept.files, taken: kept.batch.mien_taken };
 }
 
+/** Somebody who fails attention checks, and then opens the page again; what the last page says both times. */
+async function careless() {
+  const opened = await open(address);
+  await take(opened.page, { careless: true });
+  const said = () => opened.page.locator("main").innerText();
+  const first = await said();
+  await opened.reload();
+  await opened.page.waitForSelector("h1");
+  return { posted: opened.posted, troubles: opened.troubles, said: first, again: await said() };
+}
+
+/** Several people at once, at links separated by commas; a file PICTURES is written once all are at their trials. The
+    server may be killed meanwhile. What each of them sent last of every trial. */
+async function together() {
+  const everybody = await Promise.all(given.split(",").map((link) => open(link)));
+  const arrived = new Set();
+  const arrive = (one) => async (seen) => {
+    if (seen === "chains" && arrived.add(one).size === everybody.length) writeFileSync(pictures, "");
+    return false;
+  };
+  await Promise.all(everybody.map((one) => take(one.page, { each: arrive(one) })));
+  const isOfKill = (trouble) => /net::ERR_|Failed to fetch|Failed to load resource/.test(trouble);
+  return { posted: everybody.map(({ posted }) => posted),
+    troubles: everybody.flatMap(({ troubles }) => troubles).filter((one) => !isOfKill(one)) };
+}
+
 /** On a phone's screen, where phones are refused. */
 async function refusedPhone() {
   const { page, troubles } = await open(address, phone);
@@ -79,7 +105,7 @@ async function refusedPhone() {
 const accessibility = () =>
   accessibilityOf([desktop, { viewport: phone.viewport }], (how) => open(address, how), take);
 
-const scenarios = { whole, keys, touch, reload, jatos, refused_phone: refusedPhone, accessibility };
+const scenarios = { whole, keys, touch, reload, jatos, refused_phone: refusedPhone, accessibility, careless, together };
 try {
   console.log(JSON.stringify(await scenarios[name]()));
 } finally {

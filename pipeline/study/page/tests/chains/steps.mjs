@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { bundled } from "../bundled.mjs";
 import { chainExperiment, dimensions } from "./fake_page.mjs";
 
-const { plannedStep, recordOf } = await bundled("chains/steps.ts");
+const { passesCheck, plannedStep, recordOf } = await bundled("chains/steps.ts");
 const { stepsCsv } = await bundled("chains/rows.ts");
 const { checkedChains } = await bundled("chains/experiment.ts");
 
@@ -51,6 +51,45 @@ test("any deviate leads into the range, to where a wave of triangles leads", () 
     assert.ok(found >= low - 1e-12 && found <= low + width + 1e-12);
     assert.ok(Math.abs(found - (low + width * wave)) < 1e-9, `${at} ${normal}`);
   }
+});
+
+test("an attention check is passed at the end or the side that it asks for", () => {
+  const chains = { dimensions: [{ name: "d0", low: 0.2, high: 0.6 }] };
+  const slid = (value, reversed, expected) => passesCheck({ dimension: 0, value, reversed }, expected, chains);
+  assert.ok(slid(0.2, false, "left"));
+  assert.ok(slid(0.219, false, "left"));
+  assert.ok(!slid(0.221, false, "left"));
+  assert.ok(!slid(0.2, false, "right"));
+  assert.ok(slid(0.6, true, "left"));
+  assert.ok(slid(0.2, true, "right"));
+  for (const first of [true, false])
+    for (const chosen of [true, false]) {
+      const record = { proposal: [0.3], proposal_first: first, chose_proposal: chosen };
+      assert.equal(passesCheck(record, "left", chains), first === chosen);
+      assert.equal(passesCheck(record, "right", chains), first !== chosen);
+    }
+});
+
+test("attention checks begin at their own start, lead nowhere, and are not told to the server", () => {
+  const experiment = chainExperiment("gibbs");
+  const [session] = experiment.sessions;
+  const { length } = session.trials;
+  session.starts["check/1"] = [0.11, 0.22, 0.33];
+  const check = (number, step) => ({ number, block: "main", kind: "chain", practice: false, media: [], word: "check",
+    chain: 1, step, dimension: 1, slider: { start: 0.5, reversed: false }, expected: "right" });
+  session.trials.push(check(length + 1, 0), check(length + 2, 1));
+  const { records, steps } = answered(experiment, () => ({ value: 0.9, moves: 1 }));
+  for (const number of [length + 1, length + 2]) {
+    assert.deepEqual(steps[`trial-${number}`].point, [0.11, 0.22, 0.33]);
+    assert.equal(steps[`trial-${number}`].expected, "right");
+    assert.ok(!("expected" in records[`trial-${number}`].chain));
+  }
+  const rows = stepsCsv(experiment, session, Object.fromEntries(Object.entries(records).map(([name, record]) =>
+    [name, { ...record, record: name, session: "s", started_at: "" }]))).trim().split(/\r?\n/).map((row) => row.split(","));
+  const columnOf = (name) => rows[0].indexOf(name);
+  assert.deepEqual(rows.slice(1).map((row) => row[columnOf("is_check")]),
+    session.trials.map(({ expected }) => (expected ? "1" : "0")));
+  assert.ok(rows.slice(1).every((row) => (row[columnOf("passed")] === "") === (row[columnOf("is_check")] === "0")));
 });
 
 test("a chain of Gibbs sampling changes the coordinate that was free, and no other chain", () => {
@@ -110,9 +149,9 @@ test("steps are rows, with what does not apply left empty", () => {
   };
   const gibbs = rows("gibbs", (_, { number }) => ({ value: number / 100, moves: number }));
   assert.equal(gibbs.length, 4);
-  assert.equal(gibbs[1], "p001,ab12,c1,1,2,1,1,sad,1,1,0,0.01 0.38 0.4,arms,0.02,0.75,1,,,,2,1234,2026-11-29T10:00:00.000Z");
+  assert.equal(gibbs[1], "p001,ab12,c1,1,2,1,0,,1,sad,1,1,0,0.01 0.38 0.4,arms,0.02,0.75,1,,,,2,1234,2026-11-29T10:00:00.000Z");
   const mcmc = rows("mcmc", () => ({ chose_proposal: false, moves: 0 }));
-  assert.match(mcmc[3], /^p001,ab12,c1,1,5,0,1,sad,1,1,0,0\.5 0\.62 0\.64\d*,,,,,0\.\d+ 0\.\d+ 0\.\d+,1,0,0,1234,/);
+  assert.match(mcmc[3], /^p001,ab12,c1,1,5,0,0,,1,sad,1,1,0,0\.5 0\.62 0\.64\d*,,,,,0\.\d+ 0\.\d+ 0\.\d+,1,0,0,1234,/);
 });
 
 test("other languages replace the words alone", () => {
