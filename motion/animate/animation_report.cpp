@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "motion/error.h"
+
 namespace mien::motion {
 
 std::string sentence_of(const Miss& miss, const std::string& goal) {
@@ -13,6 +15,16 @@ std::string sentence_of(const Miss& miss, const std::string& goal) {
                 miss.part.c_str(), amount, unit, goal.c_str(), miss.seconds, miss.frame,
                 miss.reason.c_str());
   return text;
+}
+
+double seconds_within(const Moment& at, const Clip& clip, const std::string& what) {
+  const double seconds = at.seconds(clip.frames_per_second);
+  const double last = clip.duration_seconds();
+  if (seconds >= 0.0 && (seconds < last || (!clip.loops && seconds <= last + moment_tolerance)))
+    return seconds;
+  throw Error(
+      what + " " + seconds_in_words(seconds) + ", but the motion lasts " + seconds_in_words(last),
+      clip.loops ? "give a moment of its first cycle" : "give a moment of the motion");
 }
 
 std::string seconds_in_words(double seconds) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/animate/moment.h"
 #include "motion/skeleton/clip.h"
 
 namespace mien::motion {
@@ -30,6 +31,10 @@ struct AnimatedClip {
 
 /// "right hand 3.2 cm short of its key at 1.20 s (frame 36): out of reach"
 std::string sentence_of(const Miss& miss, const std::string& goal);
+
+/// A moment in seconds. Throws mien::Error, "`what` 1.2 s, but the motion lasts 1 s", if the motion
+/// does not have it; a loop has those of its first cycle.
+double seconds_within(const Moment& at, const Clip& clip, const std::string& what);
 
 /// "1.2 s"
 std::string seconds_in_words(double seconds);

@@ -16,7 +16,6 @@ namespace {
 
 constexpr int key_passes = 12;                           // of lean and gaze
 constexpr double free_turn = 60.0 * radians_per_degree;  // of the gaze, to each side
-constexpr double moment_tolerance = 1e-9;                // seconds
 
 ChangePart part_of(BodyEnd end) {
   constexpr ChangePart parts[] = {ChangePart::left_hand, ChangePart::right_hand,
@@ -48,14 +47,7 @@ Vec3 in_room(const Vec3& place, PlaceFrame frame, const BodyFrame& body, const V
 }
 
 Goal goal_of(const AnimatorKey& key, const Clip& clip) {
-  const double seconds = key.at.seconds(clip.frames_per_second);
-  const double last = clip.duration_seconds();
-  const bool is_within = seconds < last || (!clip.loops && seconds <= last + moment_tolerance);
-  if (!(seconds >= 0.0 && is_within)) {
-    throw Error("a key is at " + seconds_in_words(seconds) + ", but the motion lasts " +
-                    seconds_in_words(last),
-                clip.loops ? "give a moment of its first cycle" : "give a moment of the motion");
-  }
+  const double seconds = seconds_within(key.at, clip, "a key is at");
   if (!(key.reach > 0.0)) throw Error("a key's reach is not above 0", "give seconds, such as 0.5");
   Goal goal{seconds, key.reach, pose_at(clip, seconds), {}, {}, {}};
   goal.world = world_transforms(clip.body, goal.pose);

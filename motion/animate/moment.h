@@ -2,6 +2,9 @@
 
 namespace mien::motion {
 
+/// Moments that differ by less are the same, seconds.
+inline constexpr double moment_tolerance = 1e-9;
+
 /// A time in a motion: seconds since its beginning, or a frame counted from 0.
 struct Moment {
   double value = 0.0;

@@ -7,6 +7,7 @@
 
 #include "motion/animate/body_drive.h"
 #include "motion/animate/constraint.h"
+#include "motion/animate/frozen_parts.h"
 #include "motion/animate/keys.h"
 #include "motion/text/words.h"
 #include "pipeline/base/documents/concerns.h"
@@ -50,6 +51,23 @@ inline constexpr Words<motion::BodyMovement> body_movement_words = {
     {"spine-turn", motion::BodyMovement::spine_turn},
     {"left-foot-forward", motion::BodyMovement::left_foot_forward},
     {"right-foot-forward", motion::BodyMovement::right_foot_forward}};
+
+inline constexpr Words<motion::FrozenPart> frozen_words = {
+    {"legs", motion::FrozenPart::legs},
+    {"trunk", motion::FrozenPart::trunk},
+    {"head", motion::FrozenPart::head},
+    {"left-arm", motion::FrozenPart::left_arm},
+    {"right-arm", motion::FrozenPart::right_arm}};
+
+/// `freeze: legs`, `freeze: [legs, arms]`, or `freeze: {parts: legs, at: 1.2}`; `arms` are both.
+struct FreezingForm {
+  static void read(const DocumentValue& given, motion::Freezing& freezing);
+  static nlohmann::ordered_json write(const motion::Freezing& freezing, const WritingOptions& how);
+  static void walk(auto& names) {
+    names.add("parts");
+    names.add("at");
+  }
+};
 
 void fields_of(auto&& field, MaybeConst<motion::DriveEditing> auto& drive) {
   field("limb", drive.limb, concerns::motion | concerns::required, limb_movement_words);

@@ -42,6 +42,8 @@ void add_steps(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
     if (step.style) add_fields(key, "style.", *step.style, concerns::motion, files);
     if (step.pose) add_fields(key, "pose.", *step.pose, concerns::motion, files);
     const WritingOptions how{.for_key = true};
+    if (!step.freeze.parts.empty())
+      key.add("modify.freeze", FreezingForm::write(step.freeze, how).dump());
     if (!step.drives.empty()) key.add("modify.drives", written(step.drives, how).dump());
     if (!step.keys.empty()) key.add("modify.keys", written(step.keys, how).dump());
     if (!step.constraints.empty())

@@ -204,6 +204,7 @@ struct ModificationStep {
   /// An older method. If it is set, `strength` is the only other setting that is used.
   std::optional<StyleStep> style;
   /// Of the last step only, at any strength: applied when all steps are made.
+  motion::Freezing freeze;
   std::vector<motion::DriveEditing> drives;
   std::vector<motion::AnimatorKey> keys;
   std::vector<motion::MotionConstraint> constraints;
@@ -224,6 +225,7 @@ void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("strength", step.strength, concerns::motion);
   field.inside(step.edit, concerns::motion, EditForm());
   field.inside(step.style, concerns::motion, StyleForm());
+  field.by("freeze", step.freeze, concerns::motion, FreezingForm());
   field("drives", step.drives, concerns::motion);
   field("keys", step.keys, concerns::motion);
   field("constraints", step.constraints, concerns::motion);

@@ -43,6 +43,8 @@ Vec3 towards_camera(const Viewpoint& view, const Vec3& forward) {
 
 std::vector<Vec3> all_points(const Action& action) {
   std::vector<Vec3> all;
+  for (const auto& frame : action.framed) all.insert(all.end(), frame.begin(), frame.end());
+  if (!action.framed.empty()) return all;
   for (const auto& frame : action.points) {
     for (const Vec3& point : frame) {
       all.push_back(point);
@@ -72,7 +74,9 @@ std::vector<Vec3> smooth_path(const Action& action, int half_width) {
 CameraRig follow(const Action& action, const Vec3& towards, const Lens& lens) {
   const std::vector<Vec3> path = smooth_path(action, smoothing);
   std::vector<Vec3> beside;
-  for (size_t f = 0; f < action.points.size(); ++f) {
+  for (size_t f = 0; f < action.framed.size(); ++f)
+    for (const Vec3& point : action.framed[f]) beside.push_back(point - path[f]);
+  for (size_t f = 0; action.framed.empty() && f < action.points.size(); ++f) {
     for (const Vec3& point : action.points[f]) {
       beside.push_back(point - path[f]);
       beside.emplace_back(point.x() - path[f].x(), 0.0, point.z() - path[f].z());
@@ -92,19 +96,21 @@ CameraRig orbit(const Action& action, const Lens& lens) {
   // The action as a cylinder: its framing is the same from all sides, so the figure keeps its size.
   double radius = 0.0;
   double height = 0.0;
-  for (const auto& frame : action.points) {
+  double low = action.framed.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const auto& frame : action.framed.empty() ? action.points : action.framed) {
     for (const Vec3& point : frame) {
       radius = std::max(radius,
                         std::hypot(point.x() - action.centre.x(), point.z() - action.centre.z()));
       height = std::max(height, point.y());
+      low = std::min(low, action.framed.empty() ? low : point.y());
     }
   }
   std::vector<Vec3> rim;
   for (int k = 0; k < 32; ++k) {
     const double turn = 2.0 * motion::pi * k / 32;
-    const Vec3 out(radius * std::sin(turn), 0.0, radius * std::cos(turn));
+    const Vec3 out(radius * std::sin(turn), low, radius * std::cos(turn));
     rim.push_back(out);
-    rim.push_back(out + Vec3(0.0, height, 0.0));
+    rim.emplace_back(out.x(), height, out.z());
   }
   const Viewpoint start = viewpoint_of("three-quarter");
   const render::Camera still =
@@ -256,6 +262,28 @@ Action action_of(const motion::Clip& clip) {
   facing.y() = 0.0;
   if (facing.norm() > 1e-9) action.forward = facing.normalized();
   return action;
+}
+
+std::vector<std::vector<Vec3>> subject_points(const motion::Clip& clip, CameraSubject subject) {
+  std::vector<std::vector<Vec3>> points;
+  if (subject == CameraSubject::whole_body || !motion::is_body(clip.body)) return points;
+  // Joints from the neck to the head, or all but those of the legs.
+  const auto is_in = [&](int joint) {
+    return subject == CameraSubject::head ? joint == motion::Neck || joint == motion::Head
+                                          : joint < motion::LeftHip;
+  };
+  for (const motion::Pose& pose : clip.poses) {
+    const motion::JointTransforms world = motion::world_transforms(clip.body, pose);
+    std::vector<Vec3>& frame = points.emplace_back();
+    for (int joint = 0; joint < motion::body_joint_count; ++joint) {
+      if (!is_in(joint)) continue;
+      const auto j = static_cast<std::size_t>(joint);
+      frame.push_back(world.positions[j]);
+      const auto& tip = clip.body.joints[j].tip;
+      if (tip) frame.push_back(world.positions[j] + world.rotations[j] * *tip);
+    }
+  }
+  return points;
 }
 
 CameraRig make_camera_rig(const CameraSettings& settings, const Action& action,

@@ -37,7 +37,10 @@ struct CameraRig {
 /// facing direction.
 struct Action {
   std::vector<std::vector<motion::Vec3>> points;  ///< world space, metres; frame by frame
-  motion::Vec3 forward = motion::Vec3::UnitZ();   ///< unit, horizontal
+  /// The part of the body that views frame, in the same frames; empty: `points`, and the floor
+  /// under them.
+  std::vector<std::vector<motion::Vec3>> framed = {};
+  motion::Vec3 forward = motion::Vec3::UnitZ();  ///< unit, horizontal
   motion::Vec3 centre = motion::Vec3::Zero();  ///< centre of the whole action, on the floor, metres
   double margin_m = 0.1;                       ///< thickness of the body around the points
   double height_m = 1.75;                      ///< height of the standing figure
@@ -48,6 +51,11 @@ struct Action {
 /// a metre, otherwise the mean facing direction of the pelvis (+Z for a skeleton other than the
 /// canonical body).
 Action action_of(const motion::Clip& clip);
+
+/// World positions of the joints and tips of a part of the body, frame by frame; empty for the
+/// whole body, and for a skeleton other than the canonical body.
+std::vector<std::vector<motion::Vec3>> subject_points(const motion::Clip& clip,
+                                                      CameraSubject subject);
 
 /// Places the camera so that the whole action is in the picture, with equal margins on all sides as
 /// far as the aspect ratio allows.

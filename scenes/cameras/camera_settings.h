@@ -35,10 +35,18 @@ struct DepthOfField {
   friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
 };
 
+/// What the views frame.
+enum class CameraSubject {
+  whole_body,  ///< the whole body, and the floor under it
+  upper_body,  ///< from the pelvis up, with the hands
+  head,        ///< head and neck
+};
+
 /// The camera. Points are in metres from the centre of the action on the floor: x to the figure's
 /// left, y up, z to its front.
 struct CameraSettings {
-  std::string view = "three-quarter";    ///< one of `camera_names`
+  std::string view = "three-quarter";  ///< one of `camera_names`
+  CameraSubject subject = CameraSubject::whole_body;
   bool orthographic = false;             ///< orthographic projection
   std::optional<double> fov_degrees;     ///< vertical field of view; default: 26; without effect if
                                          ///< there is a screen

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "motion/error.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/pose.h"
 
 namespace mien::scenes {
 
@@ -133,6 +138,31 @@ render::Scene static_scene(const SetPlan& plan, const Place& place) {
     add_box(scene, scene.static_solids, {centre, size, plan.belt->albedo}, place);
   }
   return scene;
+}
+
+Box stool_under(const Stool& stool, const motion::Clip& clip, const Place& place) {
+  constexpr double thigh_m = 0.085;
+  constexpr double least_m = 0.05;
+  constexpr double highest_share = 2.0 / 3.0;
+  if (!motion::is_body(clip.body))
+    throw Error("a stool needs a figure of the canonical body", "use a set without a stool");
+  Vec3 mean = Vec3::Zero();
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const motion::Pose& pose : clip.poses) {
+    const std::vector<Vec3> at = motion::world_positions(clip.body, pose);
+    const Vec3 hips = 0.5 * (at[motion::LeftHip] + at[motion::RightHip]);
+    mean += hips / static_cast<double>(clip.poses.size());
+    lowest = std::min(lowest, hips.y());
+  }
+  const double height = lowest - thigh_m * motion::relative_stature(clip.body);
+  if (mean.y() > highest_share * motion::leg_length(clip.body) || height < least_m)
+    throw Error("there is a stool in the set, but the figure does not sit",
+                "use a set without a stool");
+  const Vec3 across = Vec3::UnitY().cross(place.forward);
+  const Vec3 from_centre = mean - place.centre;
+  return {{from_centre.dot(across), 0.5 * height, from_centre.dot(place.forward)},
+          {stool.width_m, height, stool.depth_m},
+          stool.albedo};
 }
 
 void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place, const Vec3& eye) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/math/geometry.h"
+#include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
 
 namespace mien::scenes {
@@ -53,6 +54,13 @@ struct Belt {
   double stripe_width_m = 0.02;
 };
 
+/// A stool under a figure that sits, as high as it sits (stool_under).
+struct Stool {
+  double width_m = 0.42;
+  double depth_m = 0.42;
+  render::Color albedo{0.32f, 0.3f, 0.28f};
+};
+
 /// A set as described in its file, before it is placed around an action.
 struct SetPlan {
   std::string name;
@@ -62,6 +70,7 @@ struct SetPlan {
   std::vector<Wall> walls;
   std::vector<Box> boxes;
   std::optional<Belt> belt;
+  std::optional<Stool> stool;  ///< one for each figure
   /// Whether the figure walks in place while the lines of the ground and the belt move under it at
   /// its walking speed.
   bool in_place = false;
@@ -79,6 +88,13 @@ struct Place {
 
 /// The static part of a set: ground, sky, lights, boxes, and the belt without its stripes.
 render::Scene static_scene(const SetPlan& plan, const Place& place);
+
+/// The stool of a figure as a box, in the coordinates of the place: below the mean place of its hip
+/// joints, turned as the place, its top below the lowest that they come by 0.085 m of a stature of
+/// 1.75 m, which is about the thickness of a thigh that lies on it. Throws Error if the hips are
+/// higher than two thirds of the length of the legs on average, as those of a figure that stands,
+/// or too low for a stool, and for a skeleton other than the canonical body.
+Box stool_under(const Stool& stool, const motion::Clip& clip, const Place& place);
 
 /// Adds the walls whose front faces a camera at `eye`.
 void add_walls(render::Scene& scene, const SetPlan& plan, const Place& place,

@@ -117,6 +117,19 @@ Action shared_action(const std::vector<Actor>& actors, const Figure& figure) {
   return action;
 }
 
+/// What the camera is to frame of all actors; empty: everything.
+std::vector<std::vector<Vec3>> framed_points(const std::vector<Actor>& actors,
+                                             CameraSubject subject) {
+  std::vector<std::vector<Vec3>> framed;
+  for (const Actor& actor : actors) {
+    std::vector<std::vector<Vec3>> points = subject_points(actor.clip, subject);
+    if (points.size() > framed.size()) framed.resize(points.size());
+    for (std::size_t f = 0; f < points.size(); ++f)
+      framed[f].insert(framed[f].end(), points[f].begin(), points[f].end());
+  }
+  return framed;
+}
+
 /// The belt has to be in the picture too.
 void include(const Belt& belt, const Place& place, Action& action) {
   constexpr double frame_m = 0.12;  // round the belt
@@ -259,8 +272,12 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   }
   shot.action = shared_action(shot.actors, look.figure);
   shot.action.forward = shot.place.forward;
+  shot.action.framed = framed_points(shot.actors, look.camera.subject);
   shot.place.centre = shot.action.centre;
   if (shot.set.belt) include(*shot.set.belt, shot.place, shot.action);
+  if (shot.set.stool)
+    for (const Actor& actor : shot.actors)
+      shot.set.boxes.push_back(stool_under(*shot.set.stool, actor.clip, shot.place));
   shot.static_scene = static_scene(shot.set, shot.place);
   shot.cameras = make_camera_rig(look.camera, shot.action, look.size);
   for (Actor& actor : shot.actors) {

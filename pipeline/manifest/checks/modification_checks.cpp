@@ -79,11 +79,11 @@ class StepChecker : FaultList {
       add(member_path(step.path, "method"), "there are no examples for a style", "add examples:");
     }
     for (const char* key :
-         {"emotion",         "paths",       "gains",     "signal",      "acceleration",
-          "acceleration_at", "limbs",       "posture",   "pose",        "step_width",
-          "step_length",     "sway",        "arm_swing", "trunk_swing", "gesture",
-          "range",           "tempo",       "gravity",   "stiffness",   "weight",
-          "variation",       "soft_limits", "drives",    "keys",        "constraints"}) {
+         {"emotion",   "paths",       "gains",     "signal",      "acceleration", "acceleration_at",
+          "limbs",     "posture",     "pose",      "step_width",  "step_length",  "sway",
+          "arm_swing", "trunk_swing", "gesture",   "range",       "tempo",        "gravity",
+          "stiffness", "weight",      "variation", "soft_limits", "freeze",       "drives",
+          "keys",      "constraints"}) {
       if (!was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, key), "a step with a method has no other changes",
           "make a list of two steps");

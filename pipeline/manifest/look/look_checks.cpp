@@ -141,6 +141,12 @@ void check_camera(const Look& look, const std::string& path, FaultList& list) {
     list.add(member_path(path, "path"), "the camera path already determines its position",
              "omit view, position and target");
   }
+  const bool has_own_frame =
+      camera.position || !camera.path.empty() || camera.screen || camera.figure_px;
+  if (camera.subject != scenes::CameraSubject::whole_body && has_own_frame) {
+    list.add(member_path(path, "frame"), "the camera's distance is already determined",
+             "omit frame, or give the camera only a view");
+  }
   for (std::size_t i = 1; i < camera.path.size(); ++i) {
     if (camera.path[i].seconds > camera.path[i - 1].seconds) continue;
     list.add(member_path(element_path(member_path(path, "path"), i), "at"),

@@ -126,8 +126,14 @@ struct StereoForm {
   static void walk(auto& names) { names.add("separation"); }
 };
 
+inline constexpr Words<scenes::CameraSubject> camera_subject_words = {
+    {"whole-body", scenes::CameraSubject::whole_body},
+    {"upper-body", scenes::CameraSubject::upper_body},
+    {"head", scenes::CameraSubject::head}};
+
 void fields_of(auto&& field, MaybeConst<scenes::CameraSettings> auto& camera) {
   field("view", camera.view, concerns::picture | concerns::alone);
+  field("frame", camera.subject, concerns::picture, camera_subject_words);
   field("orthographic", camera.orthographic, concerns::picture);
   field("fov", camera.fov_degrees, concerns::picture);
   field("position", camera.position, concerns::picture);

@@ -86,6 +86,12 @@ void fields_of(auto&& field, MaybeConst<scenes::Belt> auto& belt) {
   });
 }
 
+void fields_of(auto&& field, MaybeConst<scenes::Stool> auto& stool) {
+  field("width", stool.width_m, concerns::picture);
+  field("depth", stool.depth_m, concerns::picture);
+  field("colour", stool.albedo, concerns::picture);
+}
+
 void fields_of(auto&& field, MaybeConst<scenes::SetPlan> auto& set) {
   field("name", set.name, concerns::nothing);
   field("in_place", set.in_place, concerns::picture);
@@ -100,6 +106,7 @@ void fields_of(auto&& field, MaybeConst<scenes::SetPlan> auto& set) {
   field("walls", set.walls, concerns::picture);
   field("boxes", set.boxes, concerns::picture);
   field("belt", set.belt, concerns::picture);
+  field("stool", set.stool, concerns::picture);
 }
 
 }  // namespace mien::pipeline

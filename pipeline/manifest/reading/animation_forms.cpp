@@ -40,6 +40,45 @@ OrderedJson OptionalMomentForm::write(const std::optional<motion::Moment>& momen
   return moment ? MomentForm::write(*moment, how) : OrderedJson();
 }
 
+namespace {
+
+constexpr std::string_view both_arms = "arms";
+
+/// A word, or a list of words.
+void read_parts(const nlohmann::json& given, std::vector<motion::FrozenPart>& parts) {
+  const auto add = [&](const nlohmann::json& word) {
+    if (!word.is_string()) return;
+    const auto& text = word.get_ref<const std::string&>();
+    for (const auto& [name, part] : frozen_words)
+      if (text == name || (text == both_arms && std::string_view(name).ends_with("-arm")))
+        parts.push_back(part);
+  };
+  if (!given.is_array()) return add(given);
+  for (const nlohmann::json& word : given) add(word);
+}
+
+}  // namespace
+
+void FreezingForm::read(const DocumentValue& given, motion::Freezing& freezing) {
+  freezing = {};
+  const bool is_map = given.value.is_object();
+  const nlohmann::json* parts = is_map ? member(given.value, "parts") : &given.value;
+  if (parts != nullptr) read_parts(*parts, freezing.parts);
+  std::ranges::sort(freezing.parts);
+  const auto repeated = std::ranges::unique(freezing.parts);
+  freezing.parts.erase(repeated.begin(), repeated.end());
+  if (const nlohmann::json* at = is_map ? member(given.value, "at") : nullptr)
+    MomentForm::read({*at, member_path(given.path, "at"), given.context}, freezing.at.emplace());
+}
+
+OrderedJson FreezingForm::write(const motion::Freezing& freezing, const WritingOptions& how) {
+  if (freezing.parts.empty()) return {};
+  OrderedJson parts = OrderedJson::array();
+  for (const motion::FrozenPart part : freezing.parts) parts.push_back(word_of(frozen_words, part));
+  if (!freezing.at) return parts;
+  return {{"parts", std::move(parts)}, {"at", MomentForm::write(*freezing.at, how)}};
+}
+
 void PlaceForm::read(const DocumentValue& given, std::optional<motion::Vec3>& place) {
   std::optional<std::array<double, 3>> numbers;
   assign(&given.value, numbers);

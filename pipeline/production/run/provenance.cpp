@@ -50,6 +50,7 @@ OrderedJson step_of(const ModificationStep& step) {
   map["strength"] = step.strength;
   map.update(step.style ? all_of(*step.style) : all_of(step.modification));
   if (step.pose) map["pose"] = all_of(*step.pose);
+  if (!step.freeze.parts.empty()) map["freeze"] = FreezingForm::write(step.freeze, by_name);
   if (!step.drives.empty()) map["drives"] = written(step.drives, by_name);
   if (!step.keys.empty()) map["keys"] = written(step.keys, by_name);
   if (!step.constraints.empty()) map["constraints"] = written(step.constraints, by_name);

@@ -97,17 +97,31 @@ motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
   return motion::resampled(clip, frames_per_second);
 }
 
-/// The drives, keys and constraints of the last step, which come after everything else.
+/// The frozen parts, drives, keys and constraints of the last step, which come after everything
+/// else.
 void animate(ModifiedMotion& result, const ModificationStep& step) {
   const auto take = [&](motion::AnimatedClip made) {
     result.motion.clip = std::move(made.clip);
     for (std::string& remark : made.remarks) result.notes.push_back(std::move(remark));
   };
+  if (!step.freeze.parts.empty()) take(motion::with_frozen(result.motion.clip, step.freeze));
   if (!step.drives.empty())
     result.motion.clip = motion::with_drives(result.motion.clip, step.drives);
   if (!step.keys.empty()) take(motion::with_keys(result.motion.clip, step.keys));
   if (!step.constraints.empty())
     take(motion::with_constraints(result.motion.clip, step.constraints));
+}
+
+/// That a part which was frozen does not move is no fault.
+void omit_frozen(std::vector<motion::Finding>& findings, const motion::Freezing& freeze) {
+  std::erase_if(findings, [&](const motion::Finding& finding) {
+    if (finding.check != "still-limb") return false;
+    for (int joint = 0; joint < motion::body_joint_count; ++joint)
+      if (finding.joint == motion::name_of(motion::BodyJoint(joint)) &&
+          motion::is_frozen(freeze, motion::BodyJoint(joint)))
+        return true;
+    return false;
+  });
 }
 
 /// Everything at a share of the requested strengths.
@@ -121,6 +135,8 @@ ModifiedMotion at_share(const motion::Example& original, const Steps& steps, dou
   result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
   if (share > 0.0 && !steps.stimulus.modify.empty()) animate(result, steps.stimulus.modify.back());
   result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
+  if (!steps.stimulus.modify.empty())
+    omit_frozen(result.findings, steps.stimulus.modify.back().freeze);
   return result;
 }
 
@@ -212,9 +228,10 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
   return result;
 }
 
-/// "1 drive, 3 keys, 1 constraint"; empty for none.
+/// "frozen parts, 1 drive, 3 keys, 1 constraint"; empty for none.
 std::string described_animation(const ModificationStep& step) {
   std::vector<std::string> parts;
+  if (!step.freeze.parts.empty()) parts.emplace_back("frozen parts");
   const auto count = [&](std::size_t number, const char* one, const char* several) {
     if (number > 0) parts.push_back(fmt::format("{} {}", number, number == 1 ? one : several));
   };

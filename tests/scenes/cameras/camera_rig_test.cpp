@@ -51,6 +51,46 @@ TEST_P(EveryCamera, KeepsTheWholeActionInThePicture) {
   }
 }
 
+TEST_P(EveryCamera, FramesAPartOfTheBodyAsLargeAsItCan) {
+  const motion::Clip clip = walk({-0.6, 0, 0.8}, 80);
+  const std::array<int, 2> size{960, 540};
+  double whole = 0.0;
+  for (const CameraSubject subject :
+       {CameraSubject::whole_body, CameraSubject::upper_body, CameraSubject::head}) {
+    Action action = action_of(clip);
+    action.framed = subject_points(clip, subject);
+    const CameraRig rig = make_camera_rig({GetParam()}, action, size);
+    const auto& framed = action.framed.empty() ? action.points : action.framed;
+    ASSERT_EQ(framed.size(), clip.poses.size());
+    bool is_foot_outside = false;
+    for (size_t f = 0; f < framed.size(); ++f) {
+      const auto frame = static_cast<int>(f);
+      for (const motion::Vec3& point : framed[f]) {
+        const auto seen = render::project(rig.at(frame), point.cast<float>());
+        ASSERT_TRUE(seen.has_value());
+        EXPECT_GT(seen->x(), 0.03f * size[0]);
+        EXPECT_LT(seen->x(), 0.97f * size[0]);
+        EXPECT_GT(seen->y(), 0.03f * size[1]);
+        EXPECT_LT(seen->y(), 0.97f * size[1]);
+      }
+      const auto foot =
+          render::project(rig.at(frame), action.points[f][motion::LeftAnkle].cast<float>());
+      is_foot_outside = is_foot_outside || !foot || foot->y() > size[1];
+    }
+    // A walk is long: only a camera that goes along gets much nearer.
+    const double now = figure_pixels(rig);
+    if (subject == CameraSubject::whole_body) {
+      whole = now;
+      EXPECT_FALSE(is_foot_outside);
+    } else if (GetParam() == "follow") {
+      EXPECT_GT(now, subject == CameraSubject::head ? 3.0 * whole : 1.4 * whole);
+      EXPECT_TRUE(is_foot_outside);
+    } else {
+      EXPECT_GE(now, 0.99 * whole);
+    }
+  }
+}
+
 TEST_P(EveryCamera, ShowsTheFigureWhereItIsToldAndAllElseShiftedLikewise) {
   const Action action = action_of(walk({-0.6, 0, 0.8}, 80));
   const CameraRig as_framed = make_camera_rig({GetParam()}, action, {400, 600});

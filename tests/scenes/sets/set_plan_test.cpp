@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/error.h"
+#include "motion/math/rotation.h"
 #include "render/geometry/shapes.h"
 #include "render/light/unshadowed_background.h"
 #include "render/scene/camera.h"
@@ -45,6 +47,55 @@ TEST(SetPlan, BoxesStandInTheFiguresAxes) {
     const render::Vec3 out = corner(0) - render::Vec3(1.0f, 1.0f, 2.0f);
     EXPECT_GT(out.dot(normal), 0.0f);
   }
+}
+
+/// Sits with level thighs, a little lower at first, its hips moving to the sides.
+motion::Clip sitting_clip() {
+  motion::Clip clip;
+  clip.body = motion::standard_body();
+  for (int f = 0; f < 5; ++f) {
+    motion::Pose pose;
+    pose.rotations.assign(motion::body_joint_count, motion::Quat::Identity());
+    for (const int hip : {motion::LeftHip, motion::RightHip})
+      pose.rotations[static_cast<size_t>(hip)] =
+          motion::Quat(Eigen::AngleAxisd(-0.5 * motion::pi, Vec3::UnitX()));
+    pose.root_position = Vec3(1.0 + 0.02 * (f - 2), 0.6 + 0.01 * f, 3.0);
+    clip.poses.push_back(pose);
+  }
+  return clip;
+}
+
+TEST(Stools, AreUnderTheHipsOfWhoSits) {
+  const motion::Clip clip = sitting_clip();
+  const std::vector<Vec3> at = motion::world_positions(clip.body, clip.poses[0]);
+  const double hips = 0.5 * (at[motion::LeftHip] + at[motion::RightHip]).y();
+  const Place place{Vec3(0.5, 0.0, 1.0), Vec3::UnitX()};
+  const Box box = stool_under({.width_m = 0.5, .depth_m = 0.3}, clip, place);
+  EXPECT_NEAR(box.size.y(), hips - 0.085, 1e-9);
+  EXPECT_NEAR(box.centre.y(), 0.5 * box.size.y(), 1e-12);
+  EXPECT_EQ(box.size.x(), 0.5);
+  EXPECT_EQ(box.size.z(), 0.3);
+  // The place faces +X, with −Z on its left.
+  const Vec3 world = place.at(box.centre);
+  EXPECT_NEAR(world.x(), 1.0, 1e-9);
+  EXPECT_NEAR(world.z(), 0.5 * (at[motion::LeftHip] + at[motion::RightHip]).z(), 1e-9);
+  // A body 10 % larger has thicker thighs.
+  motion::Clip large = clip;
+  large.body = motion::standard_body(1.925);
+  for (motion::Pose& pose : large.poses) pose.root_position *= 1.1;
+  EXPECT_NEAR(stool_under({}, large, place).size.y(), 1.1 * box.size.y(), 1e-9);
+}
+
+TEST(Stools, AreRefusedForWhoStandsOrLies) {
+  motion::Clip standing = sitting_clip();
+  for (motion::Pose& pose : standing.poses) pose.root_position.y() = 0.95;
+  EXPECT_THROW(stool_under({}, standing, {}), Error);
+  motion::Clip lying = sitting_clip();
+  for (motion::Pose& pose : lying.poses) pose.root_position.y() = 0.15;
+  EXPECT_THROW(stool_under({}, lying, {}), Error);
+  motion::Clip other = sitting_clip();
+  other.body.joints.resize(4);
+  EXPECT_THROW(stool_under({}, other, {}), Error);
 }
 
 TEST(SetPlan, AWallThatHidesTheFigureIsLeftOut) {

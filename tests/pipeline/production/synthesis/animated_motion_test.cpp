@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "motion/examples/settled_feet.h"
@@ -64,6 +66,34 @@ TEST(AnimatedMotion, IsRevertedTogetherWithAFaultyModification) {
   const ModifiedMotion made = modify_motion(settled_walk(), stimulus, {});
   EXPECT_EQ(made.share, 0.0);
   EXPECT_GT((hand_at(made.motion.clip, 0.4) - motion::Vec3(0.3, 1.3, 0.3)).norm(), 0.1);
+}
+
+TEST(AnimatedMotion, HasFrozenPartsThatAreNoFault) {
+  Stimulus stimulus;
+  stimulus.id = "s";
+  stimulus.on_fault = OnFault::revert;
+  stimulus.modify = {{.freeze = {.parts = {motion::FrozenPart::left_arm}}}};
+  const motion::Example walk = settled_walk();
+  const ModifiedMotion made = modify_motion(walk, stimulus, {});
+  EXPECT_EQ(made.share, 1.0);
+  EXPECT_TRUE(made.warnings.empty());
+  const auto still = [](const ModifiedMotion& of) {
+    std::vector<std::string> joints;
+    for (const motion::Finding& finding : of.findings)
+      if (finding.check == "still-limb") joints.push_back(finding.joint);
+    return joints;
+  };
+  EXPECT_TRUE(still(made).empty());
+  for (const motion::Pose& pose : made.motion.clip.poses)
+    EXPECT_EQ(pose.rotations[motion::LeftElbow].coeffs(),
+              made.motion.clip.poses.front().rotations[motion::LeftElbow].coeffs());
+  EXPECT_EQ(described_modifications(stimulus), "frozen parts");
+  // An arm that stops for another reason is one.
+  stimulus.on_fault = OnFault::warn;
+  stimulus.modify[0].modification.paths = 0.0;
+  const std::vector<std::string> others = still(modify_motion(walk, stimulus, {}));
+  EXPECT_EQ(std::ranges::count(others, "LeftWrist"), 0);
+  EXPECT_EQ(std::ranges::count(others, "RightWrist"), 1);
 }
 
 TEST(AnimatedMotion, EditsDrivesBeforeKeys) {
