@@ -239,6 +239,17 @@ GaussianProcess fit_process(const Families& families, const GroupedObservations&
                       parameters_of(most_probable(problem, prior_of(problem))));
 }
 
+std::vector<ProcessPrediction> left_out_predictions(const GaussianProcess& process) {
+  assert(process.observations.count() >= 3);
+  const VectorXd row = process.inverse.rowwise().sum();
+  const VectorXd precision = process.inverse.diagonal() - row.cwiseAbs2() / process.inverse.sum();
+  std::vector<ProcessPrediction> predictions;
+  for (Index i = 0; i < precision.size(); ++i)
+    predictions.push_back(
+        {process.observations.values[i] - process.weights[i] / precision[i], 1.0 / precision[i]});
+  return predictions;
+}
+
 double deviation_variance(const GaussianProcess& process) {
   return std::exp(2.0 * process.parameters.log_group) + std::exp(2.0 * process.parameters.log_own);
 }

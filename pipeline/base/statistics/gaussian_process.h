@@ -95,6 +95,11 @@ struct JointPrediction {
 JointPrediction jointly_predicted(const GaussianProcess& process,
                                   const Eigen::MatrixXd& predictors);
 
+/// What the process says about each observation if that observation is left out and the parameters
+/// stay as they are: the normal distribution of its value, measurement noise included (Dubrule
+/// 1983; Rasmussen and Williams 2006, section 5.4.2). Requires three observations.
+std::vector<ProcessPrediction> left_out_predictions(const GaussianProcess& process);
+
 /// Variance by which the value of an observation of a new group differs from the functions, without
 /// measurement noise.
 double deviation_variance(const GaussianProcess& process);

@@ -170,9 +170,22 @@ class QuestionnaireCheck {
     const std::vector<std::string>& alike = questionnaire_.preference.alike;
     const std::string path = member_path(at("preference"), "alike");
     if (alike.empty() || form_.stimuli == 1) return;
-    if (!questionnaire_.pairs.empty())
-      return list_.add_at_key(path, "the pairs are listed", "omit it, or omit pairs");
     for (std::size_t i = 0; i < alike.size(); ++i) check_factor(element_path(path, i), alike[i]);
+    for (std::size_t i = 0; i < questionnaire_.pairs.size(); ++i)
+      for (const std::string& factor : alike)
+        check_pair_alike(element_path(at("pairs"), i), questionnaire_.pairs[i], factor);
+  }
+
+  void check_pair_alike(const std::string& path, const Names& pair, const std::string& factor) {
+    if (pair.size() != 2) return;
+    const std::string first = level_of(manifest_, pair[0], factor);
+    const std::string second = level_of(manifest_, pair[1], factor);
+    if (first != second)
+      list_.add(path,
+                fmt::format("the stimuli have different levels of {}, which is among "
+                            "preference.alike: {} and {}",
+                            factor, motion::in_quotes(first), motion::in_quotes(second)),
+                "list pairs that are alike, or omit the factor there");
   }
 
   void check_order() {

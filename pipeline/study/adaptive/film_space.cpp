@@ -9,6 +9,7 @@
 
 #include "motion/error.h"
 #include "pipeline/production/synthesis/synthesis.h"
+#include "pipeline/study/adaptive/round_numbers.h"
 
 namespace mien::pipeline {
 
@@ -86,6 +87,28 @@ double answer_variance(const std::map<std::string, FilmAnswers>& films) {
   return freedom > 0 ? squares / freedom : 0.0;
 }
 
+RatedFilms rated_films(const std::string& scale, const std::map<std::string, FilmAnswers>& answered,
+                       const std::map<std::string, Eigen::RowVectorXd>& places,
+                       const std::map<std::string, int>& rounds) {
+  const auto count = static_cast<Index>(answered.size());
+  RatedFilms films{.scale = scale,
+                   .places = Eigen::MatrixXd(count, places.begin()->second.size()),
+                   .mean = Eigen::VectorXd(count),
+                   .answers = Eigen::VectorXi(count),
+                   .answer_variance = answer_variance(answered),
+                   .ids = {},
+                   .rounds = {}};
+  Index i = 0;
+  for (const auto& [stimulus, answers] : answered) {
+    films.places.row(i) = places.at(stimulus);
+    films.mean[i] = answers.mean();
+    films.answers[i++] = answers.count;
+    films.ids.push_back(stimulus);
+    films.rounds.push_back(rounds.at(stimulus));
+  }
+  return films;
+}
+
 std::string round_id(int round, std::size_t film) {
   return fmt::format("round{}-{:02}", round, film + 1);
 }
@@ -125,23 +148,13 @@ RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
   for (const Stimulus& stimulus : manifest.stimuli)
     if (fault_of(stimulus).empty())
       places[stimulus.id] = weights_of(stimulus, repertoire).transpose() * space.places;
+  const std::map<std::string, int> numbers = round_numbers(rounds);
   std::vector<int> counts;
   for (const std::string& scale : asked) {
     const auto found = sorter.films().find(scale);
     if (found == sorter.films().end()) continue;
-    const auto count = static_cast<Index>(found->second.size());
-    RatedFilms films{.scale = scale, .answer_variance = answer_variance(found->second)};
-    films.places.resize(count, space.places.cols());
-    films.mean.resize(count);
-    films.answers.resize(count);
-    Index i = 0;
-    for (const auto& [stimulus, answers] : found->second) {
-      films.places.row(i) = places.at(stimulus);
-      films.mean[i] = answers.mean();
-      films.answers[i++] = answers.count;
-      counts.push_back(answers.count);
-    }
-    study.scales.push_back(std::move(films));
+    study.scales.push_back(rated_films(scale, found->second, places, numbers));
+    for (const int count : study.scales.back().answers) counts.push_back(count);
   }
   study.left_out = sorter.left_out();
   if (study.scales.empty())

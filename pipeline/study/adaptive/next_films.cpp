@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include <boost/math/distributions/normal.hpp>
 #include <fmt/format.h>
 
 #include "motion/error.h"
-#include "pipeline/base/statistics/gaussian_process.h"
 #include "pipeline/base/statistics/named_random.h"
+#include "pipeline/study/adaptive/rating_process.h"
 
 namespace mien::pipeline {
 
@@ -20,8 +19,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
-
-constexpr Index fewest_rated = 3;
 
 /// Weights, in hundredths, of `parts` examples: uniform on the simplex, rounded.
 std::vector<int> random_hundredths(std::uint64_t seed, const std::string& name, std::size_t parts) {
@@ -90,27 +87,15 @@ struct Knowledge {
 
 Knowledge knowledge_of(const RatedFilms& rated, const MatrixXd& places, const Standardisation& by,
                        const NextOptions& options) {
-  const Index count = rated.mean.size();
-  if (count < fewest_rated)
-    throw Error(fmt::format("only {} films are rated on {}", count, rated.scale),
-                "rate three films or more before the next are chosen");
-  GroupedObservations observations;
-  observations.predictors = by.of(rated.places);
-  observations.values = rated.mean;
-  observations.noise_variance = rated.answer_variance * rated.answers.cast<double>().cwiseInverse();
-  observations.group.resize(static_cast<std::size_t>(count));
-  std::iota(observations.group.begin(), observations.group.end(), 0);
-  std::vector<int> all_columns(static_cast<std::size_t>(places.cols()));
-  std::iota(all_columns.begin(), all_columns.end(), 0);
-  const GaussianProcess process = fit_process({all_columns}, observations);
+  const GaussianProcess process = rating_process(rated, by);
   JointPrediction joint = jointly_predicted(process, places);
   Knowledge known{.mean = std::move(joint.mean), .covariance = std::move(joint.covariance)};
   known.noise = deviation_variance(process) + rated.answer_variance / options.answers;
   known.at_first = known.left();
   known.direction = options.aim.highest ? 1.0 : -1.0;
-  known.best =
-      known.direction *
-      (known.direction * jointly_predicted(process, observations.predictors).mean).maxCoeff();
+  known.best = known.direction *
+               (known.direction * jointly_predicted(process, process.observations.predictors).mean)
+                   .maxCoeff();
   return known;
 }
 
@@ -163,9 +148,7 @@ std::vector<FilmCandidate> film_candidates(const MatrixXd& examples, std::size_t
 
 NextFilms next_films(const std::vector<FilmCandidate>& candidates,
                      const std::vector<RatedFilms>& rated, const NextOptions& options) {
-  MatrixXd places(static_cast<Index>(candidates.size()), candidates.front().place.size());
-  for (std::size_t c = 0; c < candidates.size(); ++c)
-    places.row(static_cast<Index>(c)) = candidates[c].place;
+  MatrixXd places = places_of(candidates);
   const Standardisation by = standardisation_of(places);
   places = by.of(places);
   std::vector<Knowledge> scales;

@@ -15,6 +15,8 @@ struct RatedFilms {
   Eigen::VectorXd mean;    ///< in points of the scale
   Eigen::VectorXi answers;
   double answer_variance = 0.0;  ///< of one answer about the mean of its film, in points²
+  std::vector<std::string> ids;  ///< of the stimuli
+  std::vector<int> rounds;       ///< in which the films were rated, from 1
 };
 
 /// A film that can be made: weights of the examples (≥ 0, sum 1) and the parameters of the blend.

@@ -211,6 +211,29 @@ TEST(GaussianProcess, TakesOfAGroupCountLessThanIndependentObservations) {
             1.1 * predicted(process_with(one_family, independent, p), at).variance);
 }
 
+// Each observation is left out by making the process anew from the others.
+TEST(GaussianProcess, LeavesOutOneObservationAtATime) {
+  const GroupedObservations o = observations(11, 9, 1, 3);
+  const ProcessParameters p = parameters({1.2, 0.5}, 0.3, 0.2, 0.8);
+  const auto left_out = left_out_predictions(process_with(two_families, o, p));
+  ASSERT_EQ(left_out.size(), 9u);
+  for (int i = 0; i < 9; ++i) {
+    std::vector<int> kept;
+    for (int j = 0; j < 9; ++j)
+      if (j != i) kept.push_back(j);
+    GroupedObservations others;
+    others.predictors = o.predictors(kept, Eigen::all);
+    others.values = o.values(kept);
+    others.noise_variance = o.noise_variance(kept);
+    others.group = kept;
+    const ProcessPrediction expected =
+        predicted(process_with(two_families, others, p), o.predictors.row(i));
+    EXPECT_NEAR(left_out[static_cast<std::size_t>(i)].mean, expected.mean, 1e-6);
+    EXPECT_NEAR(left_out[static_cast<std::size_t>(i)].variance,
+                expected.variance + o.noise_variance[i], 1e-6);
+  }
+}
+
 TEST(GaussianProcess, FarFromAllObservationsKnowsTheConstantOnly) {
   const GroupedObservations o = observations(8, 6, 2, 2);
   const ProcessParameters p = parameters({1.0}, 0.5, 0.3, 1.0);

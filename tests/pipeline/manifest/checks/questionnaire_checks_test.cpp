@@ -275,7 +275,7 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "questionnaire.preference.alike", "does not apply to same_different trials"},
       {"participants: 4, scales: all, trials: pair, pairs: [[a1, b2]], preference: {alike: "
        "[actor]}",
-       "questionnaire.preference.alike", "the pairs are listed"},
+       "questionnaire.pairs[0]", "the stimuli have different levels of actor"},
       {"participants: 4, scales: all, analysis: {between: gender}",
        "questionnaire.analysis.between", "there is no question \"gender\""},
       {"participants: 4, scales: all, demographics: [{id: age, ask: x, answer: number}], analysis: "

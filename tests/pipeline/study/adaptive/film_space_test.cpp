@@ -68,7 +68,9 @@ TEST_F(FilmSpaceTest, AveragesAnswersOfAllRoundsAboutBlends) {
   ASSERT_EQ(films.mean.size(), 3);  // mixed, quick, sad
   EXPECT_EQ(films.mean, Eigen::Vector3d(1.0, 2.0, -1.0));
   EXPECT_EQ(films.answers, Eigen::Vector3i(1, 1, 3));
-  EXPECT_NEAR(films.answer_variance, 1.0, 1e-12);  // (−2, 0, −1): 2 / 2
+  EXPECT_EQ(films.ids, (std::vector<std::string>{"mixed", "quick", "sad"}));
+  EXPECT_EQ(films.rounds, (std::vector<int>{1, 1, 1}));  // both files have answers about sad
+  EXPECT_NEAR(films.answer_variance, 1.0, 1e-12);        // (−2, 0, −1): 2 / 2
   EXPECT_EQ(study.answers_per_film, 1);
   const auto row = [&](const std::string& name) {
     return space.places.row(std::ranges::find(space.examples, name) - space.examples.begin());
