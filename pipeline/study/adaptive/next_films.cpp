@@ -1,6 +1,7 @@
 #include "pipeline/study/adaptive/next_films.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -161,6 +162,9 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
   if (!options.aim.scale.empty() && aimed == nullptr)
     throw Error("no film is rated on " + options.aim.scale, "name a scale that has answers");
   std::vector<bool> taken = rated_already(places, rated, by, options.apart);
+  assert(options.available.empty() || options.available.size() == taken.size());
+  for (std::size_t c = 0; c < options.available.size(); ++c)
+    taken[c] = taken[c] || !options.available[c];
   const auto gain = [&](Index c) {
     if (aimed != nullptr) return aimed->expected_improvement(c);
     double share = 0.0;

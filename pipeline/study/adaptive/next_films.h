@@ -48,6 +48,9 @@ struct NextOptions {
   /// Least difference from films that are rated or chosen: root mean square over the parameters, in
   /// standard deviations of the candidates. Greater than 0.
   double apart = 0.3;
+  /// Which candidates can be chosen; empty: all. What is learned counts at all of them, so that
+  /// films of which nobody is asked, such as those of a later test of predictions, matter, too.
+  std::vector<bool> available = {};
 };
 
 /// A film to rate next, with what its ratings are expected to be before it is rated.
@@ -84,8 +87,8 @@ struct NextFilms {
 /// `apart` from it are left out, as are those that are not from a film that is rated on every
 /// scale. Of equal candidates the first is chosen.
 ///
-/// Throws Error if fewer than three films are rated on a scale, if no candidate is apart from the
-/// rated films, or if the scale of the aim has no ratings.
+/// Throws Error if fewer than three films are rated on a scale, if no available candidate is apart
+/// from the rated films, or if the scale of the aim has no ratings.
 NextFilms next_films(const std::vector<FilmCandidate>& candidates,
                      const std::vector<RatedFilms>& rated, const NextOptions& options);
 

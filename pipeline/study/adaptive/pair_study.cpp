@@ -96,7 +96,8 @@ PairStudy pair_study(const Manifest& manifest, const std::vector<std::vector<Ans
   for (const std::vector<AnswerRow>& rows : rounds) {
     const AnswerSet answers = collect_answers(about_all, rows);
     study.simulated = study.simulated || answers.simulated;
-    study.notes.insert(study.notes.end(), answers.notes.begin(), answers.notes.end());
+    for (const std::string& note : answers.notes)
+      if (std::ranges::find(study.notes, note) == study.notes.end()) study.notes.push_back(note);
     add_comparisons(answers, comparisons);
   }
   std::set<std::string> ids = named_stimuli(manifest);

@@ -304,6 +304,23 @@ TEST(NextFilms, AreApartFromEachOtherAndFromRatedOnes) {
   }
 }
 
+// Films that cannot be chosen count for what is learned.
+TEST(NextFilms, AreAmongTheAvailableOnes) {
+  const auto candidates = film_candidates(random_places(8, 2), 60, true, 3);
+  const RatedFilms films = rated_films(candidates, {0, 1, 2, 3}, 10, 4);
+  NextOptions options{.films = 6, .apart = 1e-6};
+  const NextFilms free = next_films(candidates, {films}, options);
+  options.available.assign(60, true);
+  for (std::size_t f = 0; f < 3; ++f) options.available[free.films[f].candidate] = false;
+  const NextFilms bound = next_films(candidates, {films}, options);
+  ASSERT_EQ(bound.films.size(), 6u);
+  for (const NextFilm& film : bound.films) EXPECT_TRUE(options.available[film.candidate]);
+  EXPECT_EQ(bound.known_now, free.known_now);
+  EXPECT_GT(bound.known_then[0], free.known_then[0]);
+  options.available.assign(60, false);
+  EXPECT_THROW(next_films(candidates, {films}, options), Error);
+}
+
 TEST(NextFilms, AreRefusedWhereNothingIsKnown) {
   const auto candidates = film_candidates(random_places(6, 2), 8, true, 3);
   const auto refusal = [&](const RatedFilms& films, const NextOptions& options) {

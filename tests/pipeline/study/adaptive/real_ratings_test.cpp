@@ -103,15 +103,14 @@ double error_at(const RealRatings& real, const std::vector<FilmCandidate>& all,
   return std::sqrt(squares / static_cast<double>(real.scales.size() * left_out.size()));
 }
 
-/// The walk that is chosen next among these.
+/// The walk that is chosen next among these, to learn about all.
 std::size_t chosen_among(const RealRatings& real, const std::vector<FilmCandidate>& all,
                          const std::vector<std::size_t>& rated,
                          const std::vector<std::size_t>& possible) {
-  std::vector<FilmCandidate> candidates;
-  for (const std::size_t walk : possible) candidates.push_back(all[walk]);
-  const NextFilms next =
-      next_films(candidates, rated_among(real, rated), {.films = 1, .apart = 1e-6});
-  return possible[next.films.front().candidate];
+  NextOptions options{.films = 1, .apart = 1e-6};
+  options.available.resize(all.size());
+  for (const std::size_t walk : possible) options.available[walk] = true;
+  return next_films(all, rated_among(real, rated), options).films.front().candidate;
 }
 
 /// The number of walks, from 4, after which the error is at most `aim`, linear between numbers.
@@ -122,7 +121,8 @@ double needed(const std::vector<double>& errors, double aim) {
   return 3.0 + above + (*(found - 1) - aim) / (*(found - 1) - *found);
 }
 
-// Ten of thirty walks are left out, and walks are rated one by one among the other twenty.
+// Ten of thirty walks are left out, and walks are rated one by one among the other twenty. The
+// features of all thirty are known. Both kinds begin with the same four walks.
 TEST(RealRatings, OfWalksThatAreLeftOutAreFoundWithFewerThanRandomOnes) {
   const auto data = test::real_data();
   if (!data) GTEST_SKIP() << "no real motion capture: name it with MIEN_DATA";
@@ -151,7 +151,7 @@ TEST(RealRatings, OfWalksThatAreLeftOutAreFoundWithFewerThanRandomOnes) {
   for (std::size_t count = 7; count <= 12; ++count)
     share += needed(chosen_error, random_error[count - 4]) / static_cast<double>(count) / 6.0;
   RecordProperty("share", std::to_string(share));
-  EXPECT_LE(share, 0.8) << share;
+  EXPECT_LE(share, 0.68) << share;
   EXPECT_LT(chosen_error[6], random_error[6]);
 }
 
