@@ -98,7 +98,7 @@ TEST_F(Greeting, TellsWhereEverybodyIsAndHowNearTheirHandsCome) {
   // The friendly pair keeps its distance.
   EXPECT_EQ(errors_.find("deep in each other"), std::string::npos) << errors_;
   EXPECT_NE(text_of(study() / "report.html").find("id=\"greet.b\""), std::string::npos);
-  EXPECT_NE(text_of(study() / "methods.md").find("4 stimuli show several people"),
+  EXPECT_NE(text_of(study() / "methods.md").find("Four stimuli show several people (8 in all"),
             std::string::npos);
 }
 

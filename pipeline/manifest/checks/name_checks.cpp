@@ -44,6 +44,8 @@ struct NameIndex {
   Names names;  ///< as they were given
   std::set<std::string_view> known;
   bool is_all;  ///< there are no other valid names
+  /// Stimuli with several people, which have no motion of their own, and the id of the first.
+  std::map<std::string, std::string> several = {};
 };
 
 /// What many file systems take for one name is the same here. Ids are ASCII.
@@ -167,6 +169,10 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
                   FaultList& list) {
   if (name.empty() || !motions.lacks(name)) return;
+  if (const auto found = motions.several.find(name); found != motions.several.end()) {
+    return list.add(path, motion::in_quotes(name) + " has several people, each with a motion",
+                    "name one of them, such as " + found->second);
+  }
   list.add(path, motion::in_quotes(name) + " is neither a stimulus nor an example",
            motion::did_you_mean(name, motions.names));
 }
@@ -261,8 +267,11 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
     check_unique(stimulus.id, stimulus.path, films, list);
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.id.empty()) continue;
-    for (const Person& person : stimulus.people)
-      check_unique(person.motion.id, person.motion.path, films, list);
+    for (const Person& person : stimulus.people) {
+      // Names that two of the people have are reported there.
+      if (std::ranges::count(stimulus.people, person.name, &Person::name) == 1)
+        check_unique(person.motion.id, person.motion.path, films, list);
+    }
   }
   for (const Overlay& overlay : manifest.overlays) {
     if (!overlay.target.empty() && !overlay.created.empty())
@@ -291,7 +300,11 @@ std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocab
   const NameIndex stimuli(stimuli_of(manifest));
   Names all = motions_of_stimuli(manifest);
   all.insert(all.end(), vocabulary.examples.begin(), vocabulary.examples.end());
-  const NameIndex motions(std::move(all), vocabulary.knows_examples);
+  NameIndex motions(std::move(all), vocabulary.knows_examples);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.people.empty())
+      motions.several.emplace(stimulus.id, stimulus.people.front().motion.id);
+  }
   check_expectations(manifest, vocabulary, list);
   check_stems(manifest, vocabulary.file_stems, list);
   for (const Overlay& overlay : manifest.overlays)

@@ -80,8 +80,8 @@ void describe_people(MethodsText& out) {
   }
   if (films == 0) return;
   out.say(
-      fmt::format("{} several people ({} in all, each with a motion that is counted "
-                  "separately here)",
+      fmt::format("{} several people ({} in all; each of their motions counts as a "
+                  "stimulus in the following)",
                   count_of(films, "stimulus shows", "stimuli show"), people));
   if (recorded > 0)
     out.say("In " + count_of(recorded, "of these", "of these") +

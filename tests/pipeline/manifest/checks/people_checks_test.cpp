@@ -60,7 +60,8 @@ TEST_F(PeopleChecks, AcceptPeopleOfEveryKindOfMotion) {
 }
 
 TEST_F(PeopleChecks, RefuseAStimulusWithAMotionOfItsOwn) {
-  expect(pair_of(sad, happy, "    weights: {sad: 1}\n"), "5:5", "cannot be combined");
+  expect(pair_of(sad, happy, "    weights: {sad: 1}\n"), "5:5",
+         "weights and people exclude each other");
   expect(pair_of(sad, happy, "    modify: {emotion: sad}\n"), "9:5",
          "a stimulus with people has no motion of its own");
 }
@@ -73,7 +74,7 @@ TEST_F(PeopleChecks, RefuseOnePersonAndNine) {
 }
 
 TEST_F(PeopleChecks, RefuseNamesThatAreTaken) {
-  expect(pair_of("{name: b, weights: {sad: 1}, place: {}}", happy), "8:7",
+  expect(pair_of("{name: b, weights: {sad: 1}, place: {}}", happy), "8:9",
          "\"b\" is already the name of another person");
   expect(pair_of(sad, happy) + "  - {id: greet.a, weights: {sad: 1}}\n", "7:9",
          "\"greet.a\" is already the id of stimuli[1]");
@@ -98,21 +99,21 @@ TEST_F(PeopleChecks, RefuseLooksOfOnePerson) {
 TEST_F(PeopleChecks, ReportFaultsOfAPersonsMotionAtItsPlace) {
   expect(pair_of("{weights: {sadd: 1}, place: {}}", happy), "7:20", "did you mean \"sad\"?");
   expect(pair_of("{clip: none.bvh}", "{clip: walk.bvh}"), "7:16", "none.bvh");
-  expect(pair_of("{weights: {sad: 1}, place: {}, modify: {emotion: saad}}", happy), "7:59",
+  expect(pair_of("{weights: {sad: 1}, place: {}, modify: {emotion: saad}}", happy), "7:58",
          "there is no recipe for \"saad\"");
   expect(pair_of("{adjectives: {quicknes: 0.4}, place: {}}", happy), "7:23",
          "did you mean \"quickness\"?");
 }
 
 TEST_F(PeopleChecks, RefuseWhatNeedsOneMotion) {
-  expect(pair_of(sad, happy) + "  - {id: f, foil: {of: greet, differ: posture}}\n", "9:26",
+  expect(pair_of(sad, happy) + "  - {id: f, foil: {of: greet, differ: posture}}\n", "9:24",
          "\"greet\" has several people, each with a motion");
-  expect(pair_of(sad, happy) + "sheets: [{compare: {target: greet, created: greet.b}}]\n", "9:28",
-         "\"greet\" is neither a stimulus nor an example");
+  expect(pair_of(sad, happy) + "sheets: [{compare: {target: greet, created: greet.b}}]\n", "9:29",
+         "\"greet\" has several people, each with a motion; name one of them, such as greet.a");
   EXPECT_EQ(
       faults(pair_of(sad, happy) + "sheets: [{compare: {target: greet.a, created: greet.b}}]\n"),
       "");
-  expect(pair_of(sad, happy) + "  - {id: t, role: target, weights: {sad: 1}}\n", "8:5",
+  expect(pair_of(sad, happy) + "  - {id: t, role: target, weights: {sad: 1}}\n", "8:7",
          "sliders make one motion, but this stimulus has several people",
          "matching: {participants: 4, targets: [greet]}\n");
 }
