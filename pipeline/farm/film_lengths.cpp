@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/synthesis/motion_record.h"
 
 namespace mien::pipeline {
@@ -60,9 +61,11 @@ class Lengths {
  private:
   int found(const Stimulus& stimulus) {
     if (const auto frames = recorded_frames(stimulus.id, folder_)) return std::max(1, *frames);
-    if (motions_ == nullptr || is_blend(stimulus)) return assumed_frames(stimulus.output);
+    const auto is_blended = [](const Stimulus* motion) { return is_blend(*motion); };
+    if (motions_ == nullptr || std::ranges::any_of(motions_in(stimulus), is_blended))
+      return assumed_frames(stimulus.output);
     if (read_ == most_files_read) return static_cast<int>(frames_read_ / read_);
-    const int frames = motions_->shown(stimulus).frame_count();
+    const int frames = motions_->shown_frames(stimulus);
     ++read_;
     frames_read_ += frames;
     return frames;

@@ -107,6 +107,11 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how) {
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
   add_fields(key, "", stimulus, concerns::picture, files);
   add_set(key, stimulus.look.set);
+  for (const Person& person : stimulus.people) {
+    if (!person.figure) continue;
+    if (const auto* file = scenes::file_of(*person.figure))
+      key.add("character of " + person.name, files.of_character(*file));
+  }
   if (scenes::kind_of(stimulus.look.figure).has_dots) key.add("dots of", stimulus.id);
   if (const auto* file = scenes::file_of(stimulus.look.figure))
     key.add("character", files.of_character(*file));

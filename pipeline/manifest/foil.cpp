@@ -72,7 +72,7 @@ void copy_motion_settings(const Stimulus& original, bool foil_says_on_fault, Sti
 std::vector<std::string> possible_originals(const Manifest& manifest) {
   std::vector<std::string> ids;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!stimulus.foil) ids.push_back(stimulus.id);
+    if (!stimulus.foil && stimulus.people.empty()) ids.push_back(stimulus.id);
   }
   return ids;
 }
@@ -105,6 +105,11 @@ const Stimulus* original_of(const Stimulus& foil, const Manifest& manifest, Faul
   if (named == manifest.stimuli.end()) {
     list.add(path, motion::in_quotes(of) + " is not a stimulus",
              motion::did_you_mean(of, possible_originals(manifest)));
+    return nullptr;
+  }
+  if (!named->people.empty()) {
+    list.add(path, motion::in_quotes(of) + " has several people, each with a motion",
+             "name a stimulus with one motion");
     return nullptr;
   }
   if (!named->foil) return &*named;

@@ -5,6 +5,7 @@
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -27,9 +28,9 @@ void resolve_holds(Manifest& manifest) {
   };
   const auto found = std::ranges::find_if(manifest.stimuli, is_reference);
   if (found == manifest.stimuli.end()) return;
-  for (Stimulus& stimulus : manifest.stimuli) {
+  visit_motion_sources(manifest, [&](Stimulus& stimulus) {
     if (&stimulus != &*found) stimulus.hold.reference = {*found};
-  }
+  });
 }
 
 }  // namespace mien::pipeline

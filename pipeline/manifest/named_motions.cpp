@@ -1,5 +1,7 @@
 #include "pipeline/manifest/named_motions.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "motion/text/excerpt.h"
@@ -38,6 +40,9 @@ std::vector<NamedMotion> named_motions(const Stimulus& stimulus) {
     const std::string path = member_path(step.path, step.edit.pose ? "pose" : "emotion");
     add_pose(member_path(path, "neutral"), step.pose->neutral, motions);
     add_pose(member_path(path, "posed"), step.pose->posed, motions);
+  }
+  for (const Person& person : stimulus.people) {
+    for (NamedMotion& motion : named_motions(person.motion)) motions.push_back(std::move(motion));
   }
   return motions;
 }

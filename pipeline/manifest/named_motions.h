@@ -21,8 +21,8 @@ struct NamedMotion {
   std::string source = {};  ///< where the recording can be obtained; empty: not stated
 };
 
-/// Returns the motion files of the stimulus's clip, of its path's graph and of its modifications'
-/// poses, in this order.
+/// Returns the motion files of the stimulus's clip, of its path's graph, of its modifications'
+/// poses and of its people, in this order.
 std::vector<NamedMotion> named_motions(const Stimulus& stimulus);
 
 /// Returns a sentence that names the default take of a file with several motions; empty if a take

@@ -8,6 +8,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/named_motions.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -124,8 +125,8 @@ std::vector<Fault> check_licences(const Manifest& manifest) {
   } catch (const Error&) {
     // A folder that cannot be read is reported by the checks of the examples.
   }
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    for (const ModificationStep& step : stimulus.modify) {
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    for (const ModificationStep& step : stimulus->modify) {
       if (!step.pose || !step.edit.pose) continue;
       const std::string path = member_path(step.path, "pose");
       checker.check_pose(member_path(path, "neutral"), step.pose->neutral);
@@ -136,9 +137,12 @@ std::vector<Fault> check_licences(const Manifest& manifest) {
 }
 
 bool names_examples(const Stimulus& stimulus) {
-  return std::any_of(stimulus.modify.begin(), stimulus.modify.end(), [](const auto& step) {
+  const auto has_example = [](const ModificationStep& step) {
     if (step.style) return true;
     return step.pose && !(step.pose->neutral.example.empty() && step.pose->posed.example.empty());
+  };
+  return std::ranges::any_of(motions_in(stimulus), [&](const Stimulus* motion) {
+    return std::ranges::any_of(motion->modify, has_example);
   });
 }
 
@@ -147,7 +151,10 @@ std::vector<std::string> restricting_licences(const Stimulus& stimulus,
   std::set<fs::path> files;
   for (const Mention& mention : mentions_in(stimulus))
     files.insert(fs::absolute(mention.file).lexically_normal());
-  const bool is_of_examples = is_blend(stimulus) || names_examples(stimulus);
+  const auto motions = motions_in(stimulus);
+  const bool is_of_examples =
+      names_examples(stimulus) ||
+      std::ranges::any_of(motions, [](const Stimulus* motion) { return is_blend(*motion); });
   std::set<std::string> names;
   for (const RecordingFile& recording : recordings) {
     if (recording.licence.share) continue;

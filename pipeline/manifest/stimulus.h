@@ -92,7 +92,25 @@ struct StepsForm {
   static void walk(auto& names) { names.template of<ModificationStep>(); }
 };
 
-/// One motion to make. Exactly one of adjectives, features, weights, clip, path and foil is given.
+/// Where one of several people is on the stage: the pelvis at the beginning of the motion, on the
+/// floor.
+struct StagePlace {
+  double x = 0.0;  ///< metres from the stage's middle, to the right as the front camera sees it
+  double z = 0.0;  ///< metres from the stage's middle, towards the front camera
+  double turn =
+      0.0;  ///< direction of the motion, degrees to the left of one that faces that camera
+};
+
+void fields_of(auto&& field, MaybeConst<StagePlace> auto& place) {
+  field("x", place.x, concerns::picture);
+  field("z", place.z, concerns::picture);
+  field("turn", place.turn, concerns::picture);
+}
+
+struct Person;
+
+/// One film to make. Exactly one of adjectives, features, weights, clip, path, foil and people is
+/// given.
 struct Stimulus {
   std::string path;  ///< path in the manifest: "stimuli[2]"
   std::string id;    ///< safe as a file name
@@ -116,7 +134,58 @@ struct Stimulus {
   std::vector<ModificationStep> modify;  ///< modifications of the motion, in order
   OnFault on_fault = OnFault::warn;      ///< the stimulus's own, otherwise the manifest's
   RegressionLimits regression;           ///< the manifest's, with the stimulus's own values applied
+  std::vector<Person> people;            ///< with a motion each; the stimulus itself then has none
+  /// Name of a person → stimulus, or person of a stimulus, whose motion that person takes.
+  std::vector<std::pair<std::string, std::string>> swap;
 };
+
+/// One of several people in the film of a stimulus.
+struct Person {
+  std::string name;  ///< by default a, b, c …
+  /// The person's motion as that of a stimulus "<stimulus>.<name>", which has no film of its own.
+  Stimulus motion;
+  std::optional<Stimulus> stated;        ///< the motion as stated, if `swap:` replaced it
+  std::optional<StagePlace> place;       ///< if not given, the motion stays where it is
+  double start = 0.0;                    ///< seconds of the film at which the motion begins
+  std::optional<scenes::Figure> figure;  ///< a body; if not given, the figure of the stimulus
+  std::string colour;                    ///< "#rrggbb"; if empty, by the person's number
+};
+
+/// Returns a person that has only the stimulus's defaults.
+Person plain_person(const Stimulus& stimulus);
+
+/// `figure:` of a person: one with a surface.
+struct PersonFigureForm {
+  static void read(const DocumentValue& given, std::optional<scenes::Figure>& figure);
+  static nlohmann::ordered_json write(const std::optional<scenes::Figure>& figure,
+                                      const WritingOptions& how);
+  static void walk(auto& names) { FigureForm<scenes::BodyFigure>::walk(names); }
+};
+
+/// The keys that determine a motion.
+void motion_fields(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
+  field("adjectives", stimulus.adjectives, concerns::motion);
+  field.by("hold", stimulus.hold, concerns::motion, HoldForm());
+  field("features", stimulus.features, concerns::motion);
+  field("weights", stimulus.weights, concerns::motion);
+  field("clip", stimulus.clip, concerns::motion);
+  field.by("path", stimulus.walk, concerns::motion, WalkPathForm());
+  field.by("modify", stimulus.modify, concerns::motion, StepsForm());
+  field("interpolation", stimulus.interpolation, concerns::motion);
+}
+
+void fields_of(auto&& field, MaybeConst<Person> auto& person) {
+  field("name", person.name, concerns::motion | concerns::picture);
+  auto& motion = person.stated ? *person.stated : person.motion;
+  motion_fields(field, motion);
+  field("on_fault", motion.on_fault, concerns::motion, fault_words);
+  field("place", person.place, concerns::picture);
+  field("start", person.start, concerns::picture);
+  field.group("look", [&](auto& look) {
+    look.by("figure", person.figure, concerns::picture, PersonFigureForm());
+    look("colour", person.colour, concerns::picture);
+  });
+}
 
 void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("id", stimulus.id, concerns::motion | concerns::required);
@@ -129,17 +198,16 @@ void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field.by("factors", stimulus.factors, concerns::page, FactorsForm());
   field("regression", stimulus.regression, concerns::nothing);
   if (stimulus.foil) return;
-  field("adjectives", stimulus.adjectives, concerns::motion);
-  field.by("hold", stimulus.hold, concerns::motion, HoldForm());
-  field("features", stimulus.features, concerns::motion);
-  field("weights", stimulus.weights, concerns::motion);
-  field("clip", stimulus.clip, concerns::motion);
-  field.by("path", stimulus.walk, concerns::motion, WalkPathForm());
-  field.by("modify", stimulus.modify, concerns::motion, StepsForm());
-  field("interpolation", stimulus.interpolation, concerns::motion);
+  motion_fields(field, stimulus);
+  field.each("people", stimulus.people, concerns::motion | concerns::picture,
+             [&] { return plain_person(stimulus); });
+  field("swap", stimulus.swap, concerns::motion | concerns::picture);
 }
 
-/// Whether a stimulus is blended from examples, and not taken from a file or walked along a path.
-inline bool is_blend(const Stimulus& stimulus) { return !stimulus.clip && !stimulus.walk; }
+/// Whether a stimulus is blended from examples, and not taken from a file or walked along a path;
+/// false for one with several people.
+inline bool is_blend(const Stimulus& stimulus) {
+  return !stimulus.clip && !stimulus.walk && stimulus.people.empty();
+}
 
 }  // namespace mien::pipeline

@@ -9,6 +9,7 @@
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approved_frames.h"
@@ -170,8 +171,8 @@ void put_sums(Baseline& baseline, const std::vector<StimulusFacts>& approved,
 /// Sorts stimuli into the manifest's order; drops removed ones if their removal is approved.
 void put_in_order(Baseline& baseline, const Manifest& manifest, const Approval& approval) {
   std::vector<StimulusFacts> ordered;
-  for (const Stimulus& stimulus : manifest.stimuli)
-    if (const StimulusFacts* facts = baseline.find(stimulus.id)) ordered.push_back(*facts);
+  for (const Stimulus* motion : motion_sources(manifest))
+    if (const StimulusFacts* facts = baseline.find(motion->id)) ordered.push_back(*facts);
   for (StimulusFacts& facts : baseline.stimuli) {
     if (find_stimulus(manifest, facts.id) != nullptr) continue;
     if (is_wanted(facts.id, approval))
@@ -202,8 +203,10 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
   const std::string edition = make_edition(manifest, inputs, unfinished.edition());
   std::vector<StimulusFacts> approved;
   double share = 0.0;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    share += 1.0 / static_cast<double>(manifest.stimuli.size());
+  const std::vector<const Stimulus*> sources = motion_sources(manifest);
+  for (const Stimulus* source : sources) {
+    const Stimulus& stimulus = *source;
+    share += 1.0 / static_cast<double>(sources.size());
     if (!is_wanted(stimulus.id, approval)) continue;
     StimulusFacts facts = facts_of(stimulus.id, now);
     facts.edition = edition;

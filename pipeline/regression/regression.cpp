@@ -9,6 +9,7 @@
 #include "motion/text/shell_word.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/derived_seed.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/regression_limits.h"
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
@@ -213,9 +214,11 @@ Regression regress(const ComparedStudy& study,
   Regression result;
   const Manifest& manifest = study.now.manifest();
   result.study = manifest.study;
+  const std::vector<const Stimulus*> sources = motion_sources(manifest);
   const auto asked = std::ranges::count_if(
-      manifest.stimuli, [&](const Stimulus& one) { return study.compares(one.id); });
-  for (const Stimulus& stimulus : manifest.stimuli) {
+      sources, [&](const Stimulus* motion) { return study.compares(motion->id); });
+  for (const Stimulus* source : sources) {
+    const Stimulus& stimulus = *source;
     if (study.stop.stop_requested()) throw Interrupted{};
     if (!study.compares(stimulus.id)) {
       result.not_compared.push_back(stimulus.id);

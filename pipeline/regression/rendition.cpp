@@ -6,6 +6,7 @@
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/derived_seed.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_record.h"
@@ -24,8 +25,8 @@ void equalize(const Manifest& manifest, const SharedDeterminants& shared, Motion
               const std::filesystem::path& folder, int threads, const std::stop_token& stop) {
   if (manifest.equalize == Equalize{}) return;
   TaskGraph graph;
-  for (const Stimulus& stimulus : manifest.stimuli)
-    graph.add(motion_task(stimulus, shared, motions));
+  for (const Stimulus* motion : motion_sources(manifest))
+    graph.add(motion_task(*motion, shared, motions));
   if (manifest.equalize.duration) graph.add(durations_task(manifest, shared, motions));
   const FilmSettings settings{.seed = manifest.seed, .threads = threads};
   for (Task& task : equalizing_tasks(manifest, shared, settings, motions))
@@ -38,8 +39,32 @@ void equalize(const Manifest& manifest, const SharedDeterminants& shared, Motion
   }
 }
 
+/// The stimulus that shows a motion, of which there may be several.
 const Stimulus& stimulus_of(const Rendition& rendition, const std::string& id) {
-  return *find_stimulus(rendition.manifest(), id);
+  return *film_showing(rendition.manifest(), id);
+}
+
+/// The clips of all people of the scene's film: that of `id` as given, and the others from the
+/// rendition of the motion or, where it lacks them, from that of the scene.
+std::vector<motion::Clip> people_of(const Stimulus& film, const std::string& id,
+                                    const motion::Clip& clip, const FrameSources& sources) {
+  std::vector<motion::Clip> clips;
+  for (const Stimulus* motion : motions_in(film)) {
+    const bool is_there = find_stimulus(sources.motion->manifest(), motion->id) != nullptr;
+    Rendition& from = is_there ? *sources.motion : *sources.scene;
+    clips.push_back(motion->id == id
+                        ? clip
+                        : motion::resampled(from.clip_of(motion->id), clip.frames_per_second));
+  }
+  return clips;
+}
+
+scenes::Shot shot_with(const std::string& id, const motion::Clip& clip, const FrameSources& sources,
+                       const Framing& framing) {
+  const Stimulus& film = stimulus_of(*sources.scene, id);
+  const std::uint64_t seed = sources.scene->manifest().seed;
+  if (film.people.empty()) return shot_of(film, clip, seed, framing);
+  return shot_of(film, people_of(film, id, clip, sources), seed, framing);
 }
 
 /// Gives `output` the options of another that concern any of these.
@@ -97,7 +122,12 @@ Rendition::Rendition(Manifest manifest, const std::filesystem::path& folder, int
 const motion::Clip& Rendition::clip_of(const std::string& id) {
   const auto known = clips_.find(id);
   if (known != clips_.end()) return known->second;
-  return clips_.emplace(id, staged_clip(stimulus_of(*this, id), motions_)).first->second;
+  const Stimulus& film = stimulus_of(*this, id);
+  if (film.people.empty()) return clips_.emplace(id, staged_clip(film, motions_)).first->second;
+  std::vector<motion::Clip> people = placed_people(film, motions_);
+  for (std::size_t i = 0; i < people.size(); ++i)
+    clips_.emplace(film.people[i].motion.id, std::move(people[i]));
+  return clips_.at(id);
 }
 
 Hash Rendition::scene_key(const std::string& id) {
@@ -105,7 +135,7 @@ Hash Rendition::scene_key(const std::string& id) {
   take_options(scene.output, {}, concerns::motion | concerns::drawing);
   KeyBuilder key;
   add_film(key, scene, files_);
-  const Equalized equal = equalized_.of(id);
+  const Equalized equal = alike(id);
   key.add("stops", equal.exposure_stops);
   if (equal.framing.figure_px) key.add("size", *equal.framing.figure_px);
   if (equal.framing.figure_place) {
@@ -114,6 +144,10 @@ Hash Rendition::scene_key(const std::string& id) {
   }
   if (scenes::kind_of(scene.look.figure).has_dots)
     key.add("dots", static_cast<std::int64_t>(manifest_.seed));
+  if (!scene.people.empty()) {
+    for (const Stimulus* other : motions_in(scene))
+      if (other->id != id) key.add(other->id, digest_of(clip_of(other->id)));
+  }
   return key.key();
 }
 
@@ -133,11 +167,10 @@ Hash Rendition::drawing_key(const std::string& id) const {
 StagedFilm staged(const std::string& id, const FrameSources& sources, int threads) {
   const Equalized equal = sources.scene->alike(id);
   const motion::Clip& clip = sources.clip != nullptr ? *sources.clip : sources.motion->clip_of(id);
-  StagedFilm film{
-      shot_of(stimulus_of(*sources.scene, id), clip, sources.scene->manifest().seed, equal.framing),
-      {.output = output_of(sources, id),
-       .seed = sources.drawing->manifest().seed,
-       .threads = threads}};
+  StagedFilm film{shot_with(id, clip, sources, equal.framing),
+                  {.output = output_of(sources, id),
+                   .seed = sources.drawing->manifest().seed,
+                   .threads = threads}};
   film.shot.tone.exposure_stops += equal.exposure_stops;
   return film;
 }

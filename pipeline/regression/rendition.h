@@ -9,6 +9,7 @@
 
 #include "motion/skeleton/clip.h"
 #include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -21,7 +22,9 @@
 namespace mien::pipeline {
 
 /// A study as made by this program: its motions and single frames of its films, without the films
-/// themselves. The manifest is the current one or an approved one.
+/// themselves. Each of several people in a film counts as a stimulus ("greet.a"), whose clip is
+/// where the film shows it and whose frames are those of the film. The manifest is the current one
+/// or an approved one.
 class Rendition {
  public:
   /// Computes the equalized properties in `folder`, which is a store. Throws Error, also if the
@@ -46,7 +49,9 @@ class Rendition {
 
   /// What is equalized across the stimuli (exposure, size and position of the figure), for this
   /// stimulus.
-  Equalized alike(const std::string& id) const { return equalized_.of(id); }
+  Equalized alike(const std::string& id) const {
+    return equalized_.of(film_showing(manifest_, id)->id);
+  }
 
  private:
   Manifest manifest_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "render/math/vector.h"
@@ -25,5 +26,12 @@ struct FigureColours {
 
 /// Target green, created blue, reference red, neutral slate.
 FigureColours colours_of(Role role);
+
+/// The colours of a figure in "#rrggbb" (sRGB).
+FigureColours colours_of_hex(std::string_view hex);
+
+/// The colour, as "#rrggbb", of one of several people, by number from 0; repeats after 8. Seven are
+/// those of Okabe and Ito (2008), which people with any colour vision can tell apart.
+std::string_view person_colour(std::size_t number);
 
 }  // namespace mien::scenes

@@ -118,9 +118,14 @@ struct ActorBuilder {
 }  // namespace
 
 Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role, MeshDetail detail) {
+  return make_actor(clip, figure, colours_of(role), detail);
+}
+
+Actor make_actor(const motion::Clip& clip, const Figure& figure, const FigureColours& colours,
+                 MeshDetail detail) {
   Actor actor;
   actor.clip = clip;
-  actor.colours = colours_of(role);
+  actor.colours = colours;
   actor.height_m = figure_height(clip);
   std::visit(ActorBuilder{actor, detail}, figure);
   return actor;

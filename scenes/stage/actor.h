@@ -45,6 +45,10 @@ struct Actor {
 Actor make_actor(const motion::Clip& clip, const Figure& figure, Role role,
                  MeshDetail detail = MeshDetail::full);
 
+/// The same in other colours than those of a role.
+Actor make_actor(const motion::Clip& clip, const Figure& figure, const FigureColours& colours,
+                 MeshDetail detail);
+
 /// Appends an actor to a scene as a separate figure. After the end of its clip the actor stands
 /// still. A trail has the ghosts and traces of frame `made_at`.
 void add_actor(render::Scene& scene, const Actor& actor, int frame, int made_at,

@@ -1,6 +1,7 @@
 #include "scenes/stage/shot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -141,6 +142,12 @@ void include(const Belt& belt, const Place& place, Action& action) {
   }
 }
 
+/// The seed of an actor's dots, so that those of several actors are independent of each other.
+std::uint64_t seed_of(std::size_t actor, std::uint64_t seed) {
+  constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15ULL;  // Steele, Lea and Flood 2014
+  return seed + actor * golden_ratio;
+}
+
 DotStage dot_stage(const Shot& shot, const motion::Clip& clip, std::uint64_t seed) {
   const render::CameraFrame frame = render::frame_of(shot.cameras.at(0));
   DotStage stage;
@@ -167,8 +174,9 @@ void place_dots(Shot& shot, const Figure& figure, const PointLightOptions& optio
     going.step = shot.step;
     shot.step = changed_step(options, going);
   }
-  for (Actor& actor : shot.actors) {
-    actor.dots = dots_of(actor, figure, dot_stage(shot, actor.clip, seed));
+  for (std::size_t i = 0; i < shot.actors.size(); ++i) {
+    Actor& actor = shot.actors[i];
+    actor.dots = dots_of(actor, figure, dot_stage(shot, actor.clip, seed_of(i, seed)));
   }
 }
 
@@ -208,7 +216,49 @@ Figure drawable(const Figure& figure, const std::vector<Performance>& performanc
   return balls;
 }
 
+/// An actor in the look's figure and its role's colours, unless the performance has its own.
+Actor actor_of(const Performance& one, const Look& look) {
+  const Figure& figure = one.figure ? *one.figure : look.figure;
+  const FigureColours colours = one.colours ? *one.colours : colours_of(one.role);
+  Actor actor = make_actor(one.clip, figure, colours, look.detail);
+  actor.name = one.name;
+  actor.opacity = one.opacity;
+  return actor;
+}
+
+/// Throws Error for figures that cannot be shown together in this way.
+void refuse_together(const Look& look) {
+  const FigureKind& kind = kind_of(look.figure);
+  const std::string not_together = kind.not_in_overlays;
+  // Where everybody has a place of their own, dots can be told apart.
+  const bool are_apart = look.layout == Layout::as_recorded && kind.has_dots;
+  if (!not_together.empty() && !are_apart)
+    throw Error(not_together, "give them another figure, or render them separately");
+  if (look.layout == Layout::side_by_side && looks_across_lanes(look.camera)) {
+    throw Error("figures side by side hide each other in a side view",
+                "choose front, three-quarter or follow, or layout: superimposed");
+  }
+}
+
 }  // namespace
+
+motion::Clip placed(const motion::Clip& clip, const Vec3& place, double turn_radians) {
+  const Vec3 forward(std::sin(turn_radians), 0.0, std::cos(turn_radians));
+  const motion::Quat turn =
+      motion::heading(forward) * motion::heading(action_of(clip).forward).conjugate();
+  const Vec3 from = on_floor(clip.poses.front().root_position);
+  motion::Clip there = moved(clip, turn, from, on_floor(place));
+  carry_markers(clip, there,
+                [&](int, const Vec3& at) -> Vec3 { return on_floor(place) + turn * (at - from); });
+  return there;
+}
+
+motion::Clip shifted(const motion::Clip& clip, const Vec3& shift) {
+  motion::Clip there = clip;
+  for (motion::Pose& pose : there.poses) pose.root_position += shift;
+  carry_markers(clip, there, [&](int, const Vec3& at) -> Vec3 { return at + shift; });
+  return there;
+}
 
 motion::Vec3 mean_step(const motion::Clip& clip) {
   if (clip.frame_count() < 2) return motion::Vec3::Zero();
@@ -244,25 +294,15 @@ Shot stage(const motion::Clip& clip, const Look& look) {
 Shot stage(const std::vector<Performance>& performances, const Look& given) {
   Look look = given;
   look.figure = drawable(given.figure, performances);
-  const bool together = performances.size() > 1;
-  const std::string not_together = kind_of(look.figure).not_in_overlays;
-  if (together && !not_together.empty())
-    throw Error(not_together, "give them another figure, or render them separately");
-  if (together && look.layout == Layout::side_by_side && looks_across_lanes(look.camera)) {
-    throw Error("figures side by side hide each other in a side view",
-                "choose front, three-quarter or follow, or layout: superimposed");
-  }
+  if (performances.size() > 1) refuse_together(look);
   if (auto* dots = dots_in(look.figure)) dots->size_px *= look.pixel_scale;
   if (look.camera.figure_px) *look.camera.figure_px *= look.pixel_scale;
   Shot shot;
   shot.set = look.set;
   shot.size = look.size;
-  for (const Performance& one : near_origin(laid_out(performances, look.layout))) {
-    shot.actors.push_back(make_actor(one.clip, look.figure, one.role, look.detail));
-    shot.actors.back().name = one.name;
-    shot.actors.back().opacity = one.opacity;
-  }
-  shot.place.forward = action_of(shot.actors.front().clip).forward;
+  for (const Performance& one : near_origin(laid_out(performances, look.layout)))
+    shot.actors.push_back(actor_of(one, look));
+  shot.place.forward = look.forward ? *look.forward : action_of(shot.actors.front().clip).forward;
   if (look.in_place || look.set.in_place) {
     shot.step = mean_step(shot.actors.front().clip);
     for (Actor& actor : shot.actors) {

@@ -42,6 +42,9 @@ struct Look {
   MeshDetail detail = MeshDetail::full;
   Layout layout = Layout::superimposed;
   std::uint64_t seed = 0;  ///< for the random properties of a figure
+  /// Horizontal direction from the stage to the front camera, unit; by default that of the first
+  /// clip.
+  std::optional<motion::Vec3> forward;
 };
 
 /// A clip and its role.
@@ -50,7 +53,16 @@ struct Performance {
   motion::Clip clip;  ///< at the video's frame rate; does not loop
   Role role = Role::neutral;
   float opacity = 1.0f;
+  std::optional<FigureColours> colours;  ///< instead of those of the role
+  std::optional<Figure> figure;          ///< instead of the look's; dots only if it has dots too
 };
+
+/// The clip, with its markers, turned about the vertical and moved so that it begins at `place` on
+/// the floor and goes or faces (Action::forward) `turn_radians` to the left of +Z.
+motion::Clip placed(const motion::Clip& clip, const motion::Vec3& place, double turn_radians);
+
+/// The clip, with its markers, moved by `shift`, metres.
+motion::Clip shifted(const motion::Clip& clip, const motion::Vec3& shift);
 
 /// Staged clips: everything needed to render any frame, in any order.
 struct Shot {
@@ -79,10 +91,10 @@ Shot stage(const motion::Clip& clip, const Look& look);
 
 /// Stages several clips together, by `layout` and with their roles. Superimposed clips begin at the
 /// same position, facing the same direction. Clips side by side have a lane each, the first on the
-/// left in the front view. Clips as recorded keep their places, headings and frames. The set and
-/// the cameras are fitted to all clips. Also throws Error for
-/// several figures of a kind that overlays cannot show (FigureKind), and for figures side by side
-/// if the camera looks across their lanes (layout.h).
+/// left in the front view. Clips as recorded keep their places, headings and frames; they may be
+/// shown as dots. The set and the cameras are fitted to all clips. Also throws Error for other
+/// figures of a kind that overlays cannot show (FigureKind), and for figures side by side if the
+/// camera looks across their lanes (layout.h).
 Shot stage(const std::vector<Performance>& performances, const Look& look);
 
 /// The scene at a frame.

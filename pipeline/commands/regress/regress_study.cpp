@@ -17,6 +17,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/regress/study_baseline.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approval.h"
 #include "pipeline/regression/regression.h"
@@ -46,9 +47,10 @@ struct ProducedStudy {
 void make(ProducedStudy& study, const StudyArguments& arguments, const Console& console) {
   Production& production = *study.production;
   make_study(production, study.folder, arguments.production, console);
+  // A film of several people is compared once, with the first of them.
   for (const Stimulus& stimulus : production.manifest().stimuli)
     if (is_selected(arguments.production.only, stimulus.id))
-      study.videos[stimulus.id] = videos_of(stimulus.id, study.folder);
+      study.videos[motions_in(stimulus).front()->id] = videos_of(stimulus.id, study.folder);
 }
 
 /// Reads and plans the study without running it; selected stimuli that are not in the manifest are
@@ -174,6 +176,19 @@ std::string user_name(const Manifest& manifest) {
   return user != nullptr && *user != '\0' ? user : "unknown";
 }
 
+/// The selected stimuli, with several people in place of a stimulus that shows them.
+std::vector<std::string> with_people(const std::vector<std::string>& only,
+                                     const Manifest& manifest) {
+  std::vector<std::string> ids;
+  for (const std::string& id : only) {
+    const Stimulus* stimulus = find_stimulus(manifest, id);
+    if (stimulus == nullptr) ids.push_back(id);
+    if (stimulus == nullptr) continue;
+    for (const Stimulus* motion : motions_in(*stimulus)) ids.push_back(motion->id);
+  }
+  return ids;
+}
+
 /// Refuses unknown stimuli. Those only in the baseline can be approved too, which removes them.
 void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest,
                     const Baseline& baseline) {
@@ -204,10 +219,11 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
     console.err
         << "note: " << found.folder.string()
         << ": this baseline has no checksums, so damage to it may go unnoticed; approve again\n";
-  const std::vector<std::string>& only = arguments.production.only;
-  refuse_unknown(only, manifest, baseline);
+  refuse_unknown(arguments.production.only, manifest, baseline);
+  const std::vector<std::string> only = with_people(arguments.production.only, manifest);
   const bool has_selected_stimulus = std::ranges::any_of(
-      manifest.stimuli, [&](const Stimulus& one) { return is_selected(only, one.id); });
+      manifest.stimuli,
+      [&](const Stimulus& one) { return is_selected(arguments.production.only, one.id); });
   if (!arguments.without_videos && has_selected_stimulus) make(produced_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
@@ -262,7 +278,7 @@ int approve_study(const StudyArguments& arguments, const Console& console) {
               {.who = arguments.approver.empty() ? user_name(manifest) : arguments.approver,
                .when = now_text(),
                .why = arguments.reason,
-               .only = arguments.production.only},
+               .only = with_people(arguments.production.only, manifest)},
               produced_study.videos, produced_study.production->inputs(),
               {.key_frames = arguments.key_frames,
                .videos_from = arguments.keep_videos ? produced_study.folder : fs::path(),

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -137,8 +138,8 @@ class AnimationChecker : public FaultList {
 
 std::vector<Fault> check_animation(const Manifest& manifest) {
   AnimationChecker checker(manifest.places);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!stimulus.foil) checker.check(stimulus);
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (!stimulus->foil) checker.check(*stimulus);
   }
   return checker.take();
 }

@@ -87,6 +87,10 @@ class MatchingCheck {
         list_.add(member_path(stimulus.path, "path"),
                   "sliders make one gait cycle, but this stimulus walks along a path",
                   "use a target made from adjectives, features, weights or a clip");
+      if (is_asked && !stimulus.people.empty())
+        list_.add(member_path(stimulus.path, "people"),
+                  "sliders make one motion, but this stimulus has several people",
+                  "use a target with one motion");
     }
     if (matching_targets(manifest_).empty())
       list_.add("matching", "there is no target motion",

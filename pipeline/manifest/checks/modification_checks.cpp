@@ -9,6 +9,7 @@
 #include "pipeline/manifest/checks/animation_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -143,9 +144,9 @@ class StepChecker : FaultList {
 
 std::vector<Fault> check_modifications(const Manifest& manifest) {
   StepChecker checker(manifest.places);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.foil) continue;
-    for (const ModificationStep& step : stimulus.modify) checker.check_step(step);
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (stimulus->foil) continue;
+    for (const ModificationStep& step : stimulus->modify) checker.check_step(step);
   }
   std::vector<Fault> faults = checker.take();
   for (Fault& fault : check_animation(manifest)) faults.push_back(std::move(fault));
@@ -155,8 +156,8 @@ std::vector<Fault> check_modifications(const Manifest& manifest) {
 std::vector<Fault> check_modification_names(const Manifest& manifest,
                                             const Vocabulary& vocabulary) {
   StepChecker checker(manifest.places);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!stimulus.foil) checker.names(stimulus, vocabulary);
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (!stimulus->foil) checker.names(*stimulus, vocabulary);
   }
   return checker.take();
 }

@@ -14,6 +14,7 @@
 #include "motion/text/safe_name.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/people.h"
 #include "render/video/video_kind.h"
 #include "scenes/figures/figure.h"
 
@@ -43,6 +44,8 @@ struct NameIndex {
   Names names;  ///< as they were given
   std::set<std::string_view> known;
   bool is_all;  ///< there are no other valid names
+  /// Stimuli with several people, which have no motion of their own, and the id of the first.
+  std::map<std::string, std::string> several = {};
 };
 
 /// What many file systems take for one name is the same here. Ids are ASCII.
@@ -90,9 +93,11 @@ Names file_names(const Stimulus& film) {
   if (film.id.empty() || !motion::fault_of_name(film.id).empty()) return names;
   for (const render::VideoKind kind : film.output.video)
     names.push_back("video " + render::with_ending(film.id, kind).string());
-  for (const std::string& ending : film.output.clips)
-    for (const auto& file : motion::written_files(film.id + "." + ending))
-      names.push_back("clip " + file.string());
+  for (const Stimulus* motion : motions_in(film)) {
+    for (const std::string& ending : film.output.clips)
+      for (const auto& file : motion::written_files(motion->id + "." + ending))
+        names.push_back("clip " + file.string());
+  }
   if (scenes::kind_of(film.look.figure).has_dots) names.push_back("clip " + film.id + ".dots.csv");
   return names;
 }
@@ -164,6 +169,10 @@ void check_hold(const Stimulus& stimulus, const Names& parameters, const ScaleSe
 void check_motion(const std::string& path, const std::string& name, const NameIndex& motions,
                   FaultList& list) {
   if (name.empty() || !motions.lacks(name)) return;
+  if (const auto found = motions.several.find(name); found != motions.several.end()) {
+    return list.add(path, motion::in_quotes(name) + " has several people, each with a motion",
+                    "name one of them, such as " + found->second);
+  }
   list.add(path, motion::in_quotes(name) + " is neither a stimulus nor an example",
            motion::did_you_mean(name, motions.names));
 }
@@ -232,6 +241,15 @@ void check_sheet(const Sheet& sheet, const NameIndex& motions, const NameIndex& 
     check_pictured(element_path(stills, i), sheet.stills[i], stimuli, list);
 }
 
+/// What can be compared: stimuli with one motion, and people.
+Names motions_of_stimuli(const Manifest& manifest) {
+  Names motions;
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (!stimulus->id.empty()) motions.push_back(stimulus->id);
+  }
+  return motions;
+}
+
 Names stimuli_of(const Manifest& manifest) {
   Names stimuli;
   for (const Stimulus& stimulus : manifest.stimuli) {
@@ -247,6 +265,14 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
   TakenIds films, sheets;
   for (const Stimulus& stimulus : manifest.stimuli)
     check_unique(stimulus.id, stimulus.path, films, list);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (stimulus.id.empty()) continue;
+    for (const Person& person : stimulus.people) {
+      // Names that two of the people have are reported there.
+      if (std::ranges::count(stimulus.people, person.name, &Person::name) == 1)
+        check_unique(person.motion.id, person.motion.path, films, list);
+    }
+  }
   for (const Overlay& overlay : manifest.overlays) {
     if (!overlay.target.empty() && !overlay.created.empty())
       check_unique(overlay.film.id, overlay.film.path, films, list);
@@ -263,18 +289,22 @@ std::vector<Fault> check_ids(const Manifest& manifest) {
 std::vector<Fault> check_names(const Manifest& manifest, const Vocabulary& vocabulary) {
   FaultList list(manifest.places);
   const ScaleSet scales = scales_of(manifest.scales);
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.foil) continue;
-    check_keys(stimulus, "adjectives", stimulus.adjectives, "parameter", vocabulary.parameters,
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (stimulus->foil) continue;
+    check_keys(*stimulus, "adjectives", stimulus->adjectives, "parameter", vocabulary.parameters,
                list);
-    check_hold(stimulus, vocabulary.parameters, scales, list);
-    check_keys(stimulus, "features", stimulus.features, "feature", vocabulary.features, list);
-    check_keys(stimulus, "weights", stimulus.weights, "example", vocabulary.examples, list);
+    check_hold(*stimulus, vocabulary.parameters, scales, list);
+    check_keys(*stimulus, "features", stimulus->features, "feature", vocabulary.features, list);
+    check_keys(*stimulus, "weights", stimulus->weights, "example", vocabulary.examples, list);
   }
   const NameIndex stimuli(stimuli_of(manifest));
-  Names all = stimuli.names;
+  Names all = motions_of_stimuli(manifest);
   all.insert(all.end(), vocabulary.examples.begin(), vocabulary.examples.end());
-  const NameIndex motions(std::move(all), vocabulary.knows_examples);
+  NameIndex motions(std::move(all), vocabulary.knows_examples);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    if (!stimulus.people.empty())
+      motions.several.emplace(stimulus.id, stimulus.people.front().motion.id);
+  }
   check_expectations(manifest, vocabulary, list);
   check_stems(manifest, vocabulary.file_stems, list);
   for (const Overlay& overlay : manifest.overlays)

@@ -62,6 +62,14 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
     const std::string path = member_path(film->path, "look");
     if (manifest.places.values.contains(path))
       append(faults, check_look(film->look, path, manifest.places, joints, characters));
+    for (const Person& person : film->people) {
+      const std::string own = member_path(person.motion.path, "look");
+      Look look = film->look;
+      look.camera = {};  // has been checked
+      if (!person.figure) continue;
+      look.figure = *person.figure;
+      append(faults, check_look(look, own, manifest.places, joints, characters));
+    }
   }
   return faults;
 }
@@ -79,6 +87,7 @@ std::vector<Fault> check_experiments(const ResolvedManifest& resolved) {
 std::vector<Fault> check_parts(const Manifest& manifest) {
   std::vector<Fault> faults = check_examples(manifest);
   append(faults, check_stimuli(manifest));
+  append(faults, check_people(manifest));
   append(faults, check_sounds(manifest));
   append(faults, check_overlays(manifest));
   append(faults, check_sheets(manifest));

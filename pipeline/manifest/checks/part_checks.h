@@ -29,6 +29,11 @@ std::vector<Fault> check_examples(const Manifest& manifest);
 /// tolerances for unknown body parts.
 std::vector<Fault> check_stimuli(const Manifest& manifest);
 
+/// Returns faults of stimuli with several people: names that are not unique, motions of their own,
+/// people without a place or with one among captured people, and figures and sets that suit one
+/// person only.
+std::vector<Fault> check_people(const Manifest& manifest);
+
 /// Adds the faults of a stimulus's `path:`, if it has one: unknown moods (but not those of a motion
 /// graph, see resolve_modifications), missing motion files, contradictory keys, points that are too
 /// close together, and excessive durations.

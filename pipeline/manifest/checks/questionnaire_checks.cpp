@@ -312,8 +312,13 @@ class QuestionnaireCheck {
     if (questionnaire_.view != ShownAs::turn || form_.is_continuous) return;
     for (const std::string& id : questionnaire_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
-      if (found == manifest_.stimuli.end() || std::ranges::count(found->output.clips, "glb") > 0)
-        continue;
+      if (found == manifest_.stimuli.end()) continue;
+      if (!found->people.empty())
+        return list_.add(
+            at("view"),
+            "the several people of " + motion::in_quotes(id) + " cannot be turned in the browser",
+            "use view: video");
+      if (std::ranges::count(found->output.clips, "glb") > 0) continue;
       return list_.add(at("view"),
                        "the motion of " + motion::in_quotes(id) + " is not written in 3-D",
                        "add output: {clips: [bvh, glb]}");

@@ -70,6 +70,10 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
   for (const Stimulus* film : films_of(manifest))
     checker.check_look(member_path(film->path, "look"), film->look);
   for (const Stimulus& stimulus : manifest.stimuli) {
+    for (const Person& person : stimulus.people) {
+      const fs::path* file = person.figure ? scenes::file_of(*person.figure) : nullptr;
+      if (file != nullptr) checker.check(member_path(person.motion.path, "look.figure"), *file);
+    }
     for (const NamedMotion& motion : named_motions(stimulus))
       checker.check_file_of(motion.path, motion.key, motion.file);
     if (stimulus.audio)

@@ -10,6 +10,7 @@
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -60,7 +61,9 @@ void check_shared_interpolation(const Manifest& manifest, FaultList& list) {
   check_method_options("interpolation", list, [&](Method method) {
     const auto is_for = [method](const Interpolation& how) { return uses(how.weights, method); };
     return is_for(manifest.interpolation) ||
-           std::ranges::any_of(manifest.stimuli, is_for, &Stimulus::interpolation);
+           std::ranges::any_of(motion_sources(manifest), [&](const Stimulus* stimulus) {
+             return is_for(stimulus->interpolation);
+           });
   });
 }
 
@@ -199,9 +202,8 @@ void check_limits(const RegressionLimits& limits, const std::string& path, Fault
   }
 }
 
-void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
-  check_factors(stimulus, list);
-  check_limits(stimulus.regression, stimulus.path, list);
+/// The motion of a stimulus or of one of its people.
+void check_source(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
   if (stimulus.foil) return;  // its motion is that of another, which is checked
   const bool has_examples = list.was_given("examples");
   check_adjectives(stimulus, manifest, has_examples, list);
@@ -215,6 +217,12 @@ void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultLis
   check_clip(stimulus, list);
   check_markers(stimulus, list);
   check_walk_path(stimulus, list);
+}
+
+void check_stimulus(const Stimulus& stimulus, const Manifest& manifest, FaultList& list) {
+  check_factors(stimulus, list);
+  check_limits(stimulus.regression, stimulus.path, list);
+  for (const Stimulus* motion : motions_in(stimulus)) check_source(*motion, manifest, list);
 }
 
 }  // namespace

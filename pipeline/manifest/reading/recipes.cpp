@@ -11,6 +11,7 @@
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/base/reading/yaml_json.h"
 #include "pipeline/manifest/derived_seed.h"
+#include "pipeline/manifest/people.h"
 
 #include "embedded/emotions_0_2_recipes.h"
 #include "embedded/emotions_recipes.h"
@@ -160,7 +161,8 @@ RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {
 
 std::vector<Fault> resolve_modifications(Manifest& manifest) {
   // Those that come with mien have no faults, and reading them takes a while.
-  if (manifest.recipes.file.empty() && std::ranges::none_of(manifest.stimuli, needs_recipes))
+  const auto is_modified = [](const Stimulus* stimulus) { return needs_recipes(*stimulus); };
+  if (manifest.recipes.file.empty() && std::ranges::none_of(motion_sources(manifest), is_modified))
     return {};
   RecipeBook book;
   try {
@@ -171,7 +173,7 @@ std::vector<Fault> resolve_modifications(Manifest& manifest) {
     return {{place_of(manifest.places, "recipes"), "recipes", error.what(), ""}};
   }
   std::vector<Fault> faults;
-  for (Stimulus& stimulus : manifest.stimuli) {
+  visit_motion_sources(manifest, [&](Stimulus& stimulus) {
     for (ModificationStep& step : stimulus.modify) {
       const Recipe* recipe = book.find(step.emotion);
       if (recipe == nullptr && !step.emotion.empty()) {
@@ -184,7 +186,7 @@ std::vector<Fault> resolve_modifications(Manifest& manifest) {
     }
     if (stimulus.walk && !stimulus.walk->graph.empty())
       resolve_moods(stimulus, book, manifest, faults);
-  }
+  });
   return faults;
 }
 

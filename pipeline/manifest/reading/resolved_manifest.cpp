@@ -14,6 +14,7 @@
 #include "pipeline/manifest/hold.h"
 #include "pipeline/manifest/look/look_checks.h"
 #include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/reading/recipes.h"
 #include "pipeline/manifest/study_texts.h"
 #include "pipeline/manifest/texts/page_texts.h"
@@ -36,7 +37,10 @@ std::vector<Fault> resolve_sets(Manifest& manifest) {
       film.look.set = manifest.look.set;
     }
   };
-  for (Stimulus& stimulus : manifest.stimuli) resolve_film(stimulus);
+  for (Stimulus& stimulus : manifest.stimuli) {
+    resolve_film(stimulus);
+    for (Person& person : stimulus.people) person.motion.look.set = stimulus.look.set;
+  }
   for (Overlay& overlay : manifest.overlays) resolve_film(overlay.film);
   return faults;
 }
@@ -174,11 +178,11 @@ void resolve_frame_folder(std::filesystem::path& file) {
 }
 
 void resolve_frame_folders(Manifest& manifest) {
-  for (Stimulus& stimulus : manifest.stimuli) {
+  visit_motion_sources(manifest, [](Stimulus& stimulus) {
     if (stimulus.clip) resolve_frame_folder(stimulus.clip->file);
-    if (!stimulus.walk) continue;
+    if (!stimulus.walk) return;
     for (GraphMotion& motion : stimulus.walk->graph) resolve_frame_folder(motion.file);
-  }
+  });
 }
 
 }  // namespace
@@ -187,6 +191,7 @@ ResolvedManifest resolve(Manifest manifest) {
   resolve_frame_folders(manifest);
   std::vector<Fault> faults = resolve_modifications(manifest);
   append(faults, resolve_foils(manifest));
+  append(faults, resolve_swaps(manifest));
   append(faults, resolve_sounds(manifest));
   resolve_holds(manifest);
   append(faults, resolve_sets(manifest));
@@ -214,6 +219,7 @@ Manifest build_manifest(JsonReading reading, const std::filesystem::path& file,
   add_builtin_ratings(reading.document, manifest);
   set_paths(manifest);
   set_default_ids(manifest);
+  name_people(manifest);
   return manifest;
 }
 

@@ -14,18 +14,23 @@ class FinishedMotions {
  public:
   virtual ~FinishedMotions() = default;
 
-  /// Returns the stimulus with that id, or nullptr. A fast look-up, which assumes that the
-  /// manifest's ids do not change.
+  /// Returns the stimulus with that id, or that of a person's motion, or nullptr. A fast look-up,
+  /// which assumes that the manifest's ids do not change.
   virtual const Stimulus* stimulus(const std::string& id) const = 0;
 
-  /// Returns the motion of a stimulus or, if there is no stimulus of that name, of an example: at
-  /// the output's frame rate, one cycle of a loop, including travel. Throws Error.
+  /// Returns the motion of a stimulus, of a person ("greet.a") or, if there is neither, of an
+  /// example: at the output's frame rate, one cycle of a loop, including travel. Throws Error, also
+  /// for a stimulus with several people.
   virtual const motion::Clip& clip(const std::string& name) = 0;
 
-  /// Returns the clip that is shown for a stimulus: repeated if it loops, in place if requested,
-  /// and cut to the shortest duration of all stimuli if the study equalizes durations. Throws
-  /// Error.
+  /// Returns the clip that is shown for a stimulus with one motion: repeated if it loops, in place
+  /// if requested, and cut to the shortest duration of all stimuli if the study equalizes
+  /// durations. Throws Error.
   virtual motion::Clip shown(const Stimulus& stimulus) = 0;
+
+  /// Returns the number of frames of a stimulus's film, whether of its own motion or of several
+  /// people's; cut if the study equalizes durations. Throws Error.
+  virtual int shown_frames(const Stimulus& stimulus) = 0;
 
   /// Sets the known duration of the shortest of all clips shown, in seconds, so that one clip can
   /// be shown without making all motions. No effect once the duration is known.

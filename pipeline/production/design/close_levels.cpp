@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/design/design_warning.h"
 
 namespace mien::pipeline {
@@ -30,8 +31,14 @@ std::vector<std::string> other_levels(const Stimulus& stimulus, const std::strin
 }
 
 std::optional<double> distance_between(const Stimulus& a, const Stimulus& b, Motions& motions) {
+  const auto of_a = motions_in(a);
+  const auto of_b = motions_in(b);
+  if (of_a.size() != of_b.size()) return std::nullopt;
   try {
-    return motions.distance(a.id, b.id).mean;
+    double sum = 0.0;  // over the people where there are several
+    for (std::size_t i = 0; i < of_a.size(); ++i)
+      sum += motions.distance(of_a[i]->id, of_b[i]->id).mean;
+    return sum / static_cast<double>(of_a.size());
   } catch (const Error&) {
     return std::nullopt;  // not both are people
   }

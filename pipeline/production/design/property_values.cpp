@@ -8,6 +8,7 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/film/film_tables.h"
@@ -50,6 +51,14 @@ double speed_of(const motion::Clip& clip) {
   return std::hypot(way.x(), way.z()) / clip.duration_seconds();
 }
 
+/// The mean over the people where there are several.
+double mean_speed_of(const Stimulus& stimulus, Motions& motions) {
+  const auto shown = motions_in(stimulus);
+  double sum = 0.0;
+  for (const Stimulus* motion : shown) sum += speed_of(motions.of(motion->id).motion.clip);
+  return sum / static_cast<double>(shown.size());
+}
+
 /// The name of the sound file, with that of its folder if another file has the same name, and the
 /// time at which it begins.
 std::string sound_text(const Manifest& manifest, const Stimulus& stimulus) {
@@ -79,7 +88,7 @@ PropertyValues stated_properties(const Manifest& manifest, const Stimulus& stimu
   at(values, "frame_rate").text = shortest(stimulus.output.fps);
   at(values, "sound").text = sound_text(manifest, stimulus);
   at(values, "in_place").text = stimulus.output.in_place ? "yes" : "no";
-  at(values, "speed").number = speed_of(motions.of(stimulus.id).motion.clip);
+  at(values, "speed").number = mean_speed_of(stimulus, motions);
   return values;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/tasks/code_identity.h"
@@ -118,7 +119,7 @@ bool has_dots(const Stimulus& stimulus) { return scenes::kind_of(stimulus.look.f
 
 std::string marker_facts(const Stimulus& stimulus, FinishedMotions& motions) {
   const auto* options = std::get_if<scenes::MarkersOptions>(&stimulus.look.figure);
-  if (options == nullptr) return "";
+  if (options == nullptr || !stimulus.people.empty()) return "";
   const scenes::MarkerCounts counts =
       scenes::marker_counts(staged_clip(stimulus, motions), *options);
   const auto in_frames = [](double share) {
@@ -136,7 +137,7 @@ Task dots_task(const Stimulus& stimulus, std::uint64_t seed, const Equalize& equ
   Task task;
   task.id = "dots:" + stimulus.id;
   task.kind = "dots";
-  task.inputs = {"motion:" + stimulus.id};
+  for (const Stimulus* motion : motions_in(stimulus)) task.inputs.push_back("motion:" + motion->id);
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", film_code()).add("seed", static_cast<std::int64_t>(seed));
   add_film(task.determinants, stimulus, shared.files);

@@ -8,6 +8,7 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/tasks/code_identity.h"
@@ -45,7 +46,8 @@ Task finding_task(const std::string& name, const std::string& before, const Mani
       .add("duration", std::int64_t{manifest.equalize.duration})
       .add("among", static_cast<std::int64_t>(among));
   for (const Stimulus& stimulus : manifest.stimuli) {
-    task.inputs.push_back("motion:" + stimulus.id);
+    for (const Stimulus* motion : motions_in(stimulus))
+      task.inputs.push_back("motion:" + motion->id);
     task.determinants.add("stimulus", stimulus.id);
     add_film(task.determinants, stimulus, shared.files);
   }

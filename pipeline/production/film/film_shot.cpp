@@ -1,8 +1,15 @@
 #include "pipeline/production/film/film_shot.h"
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "motion/math/geometry.h"
 #include "motion/skeleton/clip.h"
 #include "pipeline/manifest/derived_seed.h"
 #include "pipeline/manifest/look/look.h"
+#include "pipeline/production/clips/people_clips.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::pipeline {
 
@@ -12,6 +19,51 @@ scenes::Look look_of(const Stimulus& film, std::uint64_t seed) {
   scenes::Look look = staged_look(film.look, film.output, derived_seed(seed, "dots of " + film.id));
   look.role = film_role(film);
   return look;
+}
+
+scenes::Look framed_look(const Stimulus& film, std::uint64_t seed, const Framing& framing) {
+  scenes::Look look = look_of(film, seed);
+  if (framing.figure_px) look.camera.figure_px = *framing.figure_px / look.pixel_scale;
+  look.figure_place = framing.figure_place;
+  return look;
+}
+
+/// Whether a person stays where it was recorded.
+bool is_where_recorded(const Person& person) { return person.motion.clip && !person.place; }
+
+motion::Vec3 start_of(const motion::Clip& clip) {
+  const motion::Vec3& at = clip.poses.front().root_position;
+  return {at.x(), 0.0, at.z()};
+}
+
+/// The middle of the people who stay where they were recorded when the film begins, on the floor.
+motion::Vec3 captured_middle(const Stimulus& stimulus, const std::vector<motion::Clip>& clips) {
+  motion::Vec3 sum = motion::Vec3::Zero();
+  int count = 0;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (!is_where_recorded(stimulus.people[i])) continue;
+    sum += start_of(clips[i]);
+    ++count;
+  }
+  return count == 0 ? sum : motion::Vec3(sum / count);
+}
+
+/// The direction of the stage's front: +Z, or, if all people are where they were recorded, that
+/// from which the first is to the left of the second.
+motion::Vec3 front_of(const Stimulus& stimulus, const std::vector<motion::Clip>& clips) {
+  if (!std::ranges::all_of(stimulus.people, is_where_recorded)) return motion::Vec3::UnitZ();
+  const motion::Vec3 across = start_of(clips[1]) - start_of(clips[0]);
+  constexpr double together_m = 0.05;
+  if (across.norm() < together_m) return motion::Vec3::UnitZ();
+  return across.normalized().cross(motion::Vec3::UnitY());
+}
+
+/// The figure of a person; dots have its colour too.
+scenes::Figure figure_of(const Person& person, const Look& look) {
+  scenes::Figure figure = person.figure ? *person.figure : look.figure;
+  if (auto* dots = scenes::dots_in(figure); dots != nullptr && !person.colour.empty())
+    dots->colour = person.colour;
+  return figure;
 }
 
 /// What is shown of a motion that was made for another film, which may have another frame rate.
@@ -51,15 +103,49 @@ motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions) {
 
 scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::uint64_t seed,
                      const Framing& framing) {
-  return shot_of(stimulus, staged_clip(stimulus, motions), seed, framing);
+  if (stimulus.people.empty())
+    return shot_of(stimulus, staged_clip(stimulus, motions), seed, framing);
+  return shot_of(stimulus, placed_people(stimulus, motions), seed, framing);
 }
 
 scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,
                      const Framing& framing) {
-  scenes::Look look = look_of(stimulus, seed);
-  if (framing.figure_px) look.camera.figure_px = *framing.figure_px / look.pixel_scale;
-  look.figure_place = framing.figure_place;
-  return scenes::stage(clip, look);
+  return scenes::stage(clip, framed_look(stimulus, seed, framing));
+}
+
+scenes::Shot shot_of(const Stimulus& stimulus, std::vector<motion::Clip> people, std::uint64_t seed,
+                     const Framing& framing) {
+  scenes::Look look = framed_look(stimulus, seed, framing);
+  look.layout = scenes::Layout::as_recorded;
+  look.forward = front_of(stimulus, people);
+  std::vector<scenes::Performance> performances;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const Person& person = stimulus.people[i];
+    const std::string_view colour =
+        person.colour.empty() ? scenes::person_colour(i) : std::string_view(person.colour);
+    scenes::Figure figure = figure_of(person, stimulus.look);
+    if (auto* dots = scenes::dots_in(figure)) dots->size_px *= look.pixel_scale;
+    performances.push_back({.name = person.name,
+                            .clip = std::move(people[i]),
+                            .colours = scenes::colours_of_hex(colour),
+                            .figure = std::move(figure)});
+  }
+  return scenes::stage(performances, look);
+}
+
+std::vector<motion::Clip> placed_people(const Stimulus& stimulus, FinishedMotions& motions) {
+  std::vector<motion::Clip> clips = people_clips(stimulus, motions);
+  const motion::Vec3 to_middle = -captured_middle(stimulus, clips);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    const Person& person = stimulus.people[i];
+    if (person.place) {
+      const motion::Vec3 at(person.place->x, 0.0, person.place->z);
+      clips[i] = scenes::placed(clips[i], at, motion::radians_per_degree * person.place->turn);
+    } else if (person.motion.clip) {
+      clips[i] = scenes::shifted(clips[i], to_middle);
+    }
+  }
+  return clips;
 }
 
 scenes::Shot shot_of(const Overlay& overlay, FinishedMotions& motions, std::uint64_t seed) {

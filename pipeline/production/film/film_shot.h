@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/production/clips/finished_motions.h"
@@ -24,13 +25,21 @@ Role film_role(const Stimulus& stimulus);
 /// and whether the figure walks in place. `seed` is that of the figure's random properties.
 scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed);
 
-/// Returns the clip that a stimulus's film shows on its set. Throws Error.
+/// Returns the clip that the film of a stimulus with one motion shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);
 
-/// Returns a stimulus's motion on its stage. `seed` is the production's seed. Throws Error if the
-/// look is not available.
+/// Returns the clips of a stimulus's people (people_clips) where they are on the stage, whose front
+/// is towards +Z unless all people are where they were recorded. Throws Error.
+std::vector<motion::Clip> placed_people(const Stimulus& stimulus, FinishedMotions& motions);
+
+/// Returns a stimulus's motion, or its people, on its stage. `seed` is the production's seed.
+/// Throws Error if the look is not available.
 scenes::Shot shot_of(const Stimulus& stimulus, FinishedMotions& motions, std::uint64_t seed,
                      const Framing& framing = {});
+
+/// Returns any clips of a stimulus's people on its stage, where they are.
+scenes::Shot shot_of(const Stimulus& stimulus, std::vector<motion::Clip> people, std::uint64_t seed,
+                     const Framing& framing);
 
 /// Returns any clip on the stimulus's stage.
 scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::uint64_t seed,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/disk_light_cache.h"
 #include "pipeline/production/film/film_frames.h"
 #include "pipeline/production/film/film_presentation.h"
@@ -14,6 +15,7 @@
 #include "pipeline/production/film/film_sound.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/film/film_waveform.h"
+#include "pipeline/production/film/people_warnings.h"
 #include "pipeline/tasks/code_identity.h"
 #include "render/image/image_io.h"
 #include "render/image/luminance.h"
@@ -84,6 +86,12 @@ class FilmMaker {
     record_.figure_place = scenes::figure_place(shot_.cameras);
     for (const scenes::Actor& actor : shot_.actors) {
       for (const std::string& warning : actor.warnings) record_.warnings.push_back(warning);
+    }
+    if (!subject.film.people.empty()) {
+      std::vector<motion::Clip> clips;
+      for (const scenes::Actor& actor : shot_.actors) clips.push_back(actor.clip);
+      for (std::string& warning : people_warnings(subject.film, clips))
+        record_.warnings.push_back(std::move(warning));
     }
     if (subject.film.look.camera.screen)
       record_.visual_degrees = scenes::visual_degrees(shot_.cameras);
@@ -217,8 +225,10 @@ StoredSequence stored_sequence(const Task& film, const Hash& task_key) {
 
 FilmSubject subject_of(const Stimulus& stimulus, const Manifest& manifest,
                        FinishedMotions& motions) {
+  std::vector<std::string> shown;
+  for (const Stimulus* motion : motions_in(stimulus)) shown.push_back(motion->id);
   return {stimulus,
-          {stimulus.id},
+          std::move(shown),
           {},
           manifest.equalize,
           [&stimulus, &motions, seed = manifest.seed](const Equalized& equalized) {

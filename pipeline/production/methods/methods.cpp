@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/references.h"
@@ -64,6 +65,31 @@ void describe_files(MethodsText& out) {
   out.say(count_of(files.size(), "stimulus shows", "stimuli show") + " recorded motion");
 }
 
+/// Stimuli with several people. Where a motion is that of a person, the other sentences count it as
+/// a stimulus.
+void describe_people(MethodsText& out) {
+  std::size_t films = 0, people = 0, swapped = 0, recorded = 0;
+  for (const Stimulus& stimulus : out.manifest.stimuli) {
+    if (stimulus.people.empty()) continue;
+    ++films;
+    recorded += keeps_captured_space(stimulus) ? 1 : 0;
+    for (const Person& person : stimulus.people) {
+      ++people;
+      swapped += person.stated ? 1 : 0;
+    }
+  }
+  if (films == 0) return;
+  out.say(
+      fmt::format("{} several people ({} in all; each of their motions counts as a "
+                  "stimulus in the following)",
+                  count_of(films, "stimulus shows", "stimuli show"), people));
+  if (recorded > 0)
+    out.say("In " + count_of(recorded, "of these", "of these") +
+            ", recorded people kept their positions relative to each other");
+  if (swapped > 0)
+    out.say(count_of(swapped, "person had", "people had") + " the motion of another stimulus");
+}
+
 }  // namespace
 
 Methods procedure_of(const Manifest& manifest) {
@@ -81,6 +107,7 @@ Methods methods_of(const Manifest& manifest, Motions& motions) {
   if (uses_examples(manifest) || manifest.adaptive) describe_examples(out);
   describe_blends(out);
   describe_files(out);
+  describe_people(out);
   describe_paths(out);
   describe_recordings(out);
   describe_modifications(out);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/study_facts.h"
@@ -68,7 +69,8 @@ std::string deviation_text(const Range& missed) {
 void describe_deviations(MethodsText& out) {
   Range missed;
   bool has_modified = false;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
     const Synthesis& made = out.motions.of(stimulus.id);
     if (!stimulus.modify.empty()) {  // known of the blend before alone
       has_modified = has_modified || !made.requested.empty();
@@ -87,7 +89,8 @@ void describe_deviations(MethodsText& out) {
 
 std::string held_at_text(MethodsText& out) {
   Names places;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
     const Hold& hold = stimulus.hold;
     if (!hold.values.empty()) add_once(places, "the manifest");
     if (!hold.others && hold.names.empty()) continue;
@@ -98,16 +101,17 @@ std::string held_at_text(MethodsText& out) {
 }
 
 void describe_holds(MethodsText& out) {
-  const auto holds = [](const Stimulus& stimulus) { return stimulus.hold.anything(); };
-  const auto held = std::ranges::count_if(out.manifest.stimuli, holds);
+  const auto holds = [](const Stimulus* motion) { return motion->hold.anything(); };
+  const auto held = std::ranges::count_if(motion_sources(out.manifest), holds);
   if (held == 0) return;
   out.say(fmt::format(
       "In {}, parameters that were not requested were held at their values in {}, as closely as "
       "the examples allow",
       count_of(static_cast<std::size_t>(held), "stimulus", "stimuli"), held_at_text(out)));
   Range missed;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
-    if (!holds(stimulus)) continue;
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
+    if (!holds(source)) continue;
     const Synthesis& made = out.motions.of(stimulus.id);
     for (std::size_t i = 0; i < made.held.size(); ++i)
       missed.add(std::abs(made.held_reached[i].second - made.held[i].second));
@@ -141,7 +145,8 @@ void describe_blends(MethodsText& out) {
   if (!out.manifest.examples.blendable) return;
   Names rotations, warps;
   bool locks = false;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
     if (!is_blend(stimulus)) continue;
     locks = locks || stimulus.interpolation.foot_lock;
     if (is_one_example(stimulus)) continue;

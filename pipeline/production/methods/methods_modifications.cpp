@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/stated_settings.h"
@@ -21,7 +22,8 @@ void describe_recipes(const Names& emotions, MethodsText& out) {
   Names recipes;
   for (const std::string& emotion : emotions) {
     StatedSettings what;
-    for (const Stimulus& stimulus : out.manifest.stimuli) {
+    for (const Stimulus* source : motion_sources(out.manifest)) {
+      const Stimulus& stimulus = *source;
       for (const ModificationStep& step : stimulus.modify) {
         if (step.emotion != emotion) continue;
         for (const FieldEntry& entry :
@@ -56,7 +58,8 @@ void describe_steps(MethodsText& out) {
   Names emotions, styles, changed;
   StatedSettings by_hand;
   Range strengths;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
     if (stimulus.modify.empty()) continue;
     ++modified;
     changed.push_back(stimulus.id);
@@ -99,7 +102,8 @@ void describe_steps(MethodsText& out) {
 
 void describe_animation(MethodsText& out) {
   std::size_t keyed = 0, constrained = 0;
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(out.manifest)) {
+    const Stimulus& stimulus = *source;
     if (stimulus.modify.empty()) continue;
     keyed += stimulus.modify.back().keys.empty() ? 0 : 1;
     constrained += stimulus.modify.back().constraints.empty() ? 0 : 1;

@@ -42,7 +42,7 @@ void describe_videos(MethodsText& out) {
   Range seconds;
   Names kinds;
   for (const Stimulus& stimulus : out.manifest.stimuli) {
-    seconds.add(out.motions.shown(stimulus).frame_count() / stimulus.output.fps);
+    seconds.add(out.motions.shown_frames(stimulus) / stimulus.output.fps);
   }
   for (const Stimulus* film : films_of(out.manifest)) {
     for (const render::VideoKind kind : film->output.video)

@@ -11,6 +11,7 @@
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/quality_rules.h"
 #include "pipeline/manifest/reported_analyses.h"
 #include "pipeline/production/film/film_dots.h"
@@ -120,7 +121,10 @@ void describe_settings(MethodsText& out) {
   };
   for (Stimulus stimulus : out.manifest.stimuli) {
     // Motions that do not loop are not repeated.
-    if (!out.motions.of(stimulus.id).motion.clip.loops) stimulus.output.cycles = Output{}.cycles;
+    const auto loops = [&](const Stimulus* motion) {
+      return out.motions.of(motion->id).motion.clip.loops;
+    };
+    if (std::ranges::none_of(motions_in(stimulus), loops)) stimulus.output.cycles = Output{}.cycles;
     add_settings_of(stimulus);
   }
   for (const Overlay& overlay : out.manifest.overlays) {
@@ -128,9 +132,9 @@ void describe_settings(MethodsText& out) {
     film.look.colours = Colours::neutral;  // which it does not go by
     add_settings_of(film);
   }
-  for (const Stimulus& stimulus : out.manifest.stimuli) {
-    if (is_blend(stimulus))
-      add_differences("interpolation.", stimulus.interpolation, stimulus.id, settings);
+  for (const Stimulus* motion : motion_sources(out.manifest)) {
+    if (is_blend(*motion))
+      add_differences("interpolation.", motion->interpolation, motion->id, settings);
   }
   if (!settings.empty())
     out.say("Settings that differ from the defaults: " + settings.text(everybody));

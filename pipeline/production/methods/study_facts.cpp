@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "motion/interpolation/interpolation_options.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/look/point_form.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/recording_files.h"
 
 namespace mien::pipeline {
@@ -18,6 +20,7 @@ std::string ratings_of(const Stimulus* stimulus, Motions& motions) {
 }
 
 std::string_view source_of(const Stimulus& stimulus) {
+  if (!stimulus.people.empty()) return "people";
   if (stimulus.clip) return "clip";
   if (stimulus.walk) return "path";
   if (!stimulus.features.empty()) return "features";
@@ -26,8 +29,8 @@ std::string_view source_of(const Stimulus& stimulus) {
 
 std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source) {
   std::vector<const Stimulus*> found;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (source_of(stimulus) == source) found.push_back(&stimulus);
+  for (const Stimulus* motion : motion_sources(manifest)) {
+    if (source_of(*motion) == source) found.push_back(motion);
   }
   return found;
 }
@@ -37,6 +40,16 @@ std::string method_of(const Stimulus& stimulus) {
   return std::string(motion::name_of(stimulus.weights.empty()
                                          ? stimulus.interpolation.weights.method
                                          : motion::InterpolationMethod::direct));
+}
+
+std::string person_facts(const Person& person) {
+  std::string facts = person.place
+                          ? fmt::format("at x {:g} m, z {:g} m, turned by {:g}°", person.place->x,
+                                        person.place->z, person.place->turn)
+                      : person.motion.clip ? std::string("where it was recorded")
+                                           : std::string("along its path on the stage");
+  if (person.start != 0.0) facts += fmt::format(", begins at {:g} s", person.start);
+  return person.stated ? facts + ", with another's motion" : facts;
 }
 
 std::string scene_name(const Look& look) {

@@ -26,6 +26,10 @@ std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_
 /// motion file or path.
 std::string method_of(const Stimulus& stimulus);
 
+/// Returns where one of several people is, when the motion begins, and whether it is another's:
+/// "at x 0.6 m, z 0 m, turned by 90°, begins at 0.5 s".
+std::string person_facts(const Person& person);
+
 /// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/tables.h"
 #include "pipeline/production/synthesis/parameter_label.h"
@@ -60,7 +61,8 @@ struct FoundFault {
 
 constexpr auto weights_columns = table_of<BlendedExample>(
     "metrics/weights.csv", "blended stimulus and example",
-    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+    {{"stimulus", "", "id of the stimulus or, of several people, of the person (greet.a)",
+      [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"example", "", "example label", [](auto& r) { return r.example; }},
      {"weight", "",
@@ -69,8 +71,9 @@ constexpr auto weights_columns = table_of<BlendedExample>(
       [](auto& r) { return r.weight; }}});
 
 constexpr auto clips_columns = table_of<MadeClip>(
-    "metrics/clips.csv", "stimulus",
-    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus.id; }},
+    "metrics/clips.csv", "stimulus or person",
+    {{"stimulus", "", "id of the stimulus or, of several people, of the person (greet.a)",
+      [](auto& r) { return r.stimulus.id; }},
      {"role", "", "target, created or reference", [](auto& r) { return name_of(r.stimulus.role); }},
      ratings_column,
      {"source", "", "source of the motion: adjectives, features, weights, clip or path",
@@ -106,7 +109,8 @@ constexpr auto clips_columns = table_of<MadeClip>(
 constexpr auto parameters_columns = table_of<ParameterRow>(
     "metrics/parameters.csv",
     "blended stimulus and parameter: first the requested ones, then those held, then all others",
-    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+    {{"stimulus", "", "id of the stimulus or, of several people, of the person (greet.a)",
+      [](auto& r) { return r.stimulus; }},
      ratings_column,
      {"parameter", "", "scale, group of scales or motion feature", [](auto& r) { return r.name; }},
      {"requested", "0–1", "requested value; empty if none", [](auto& r) { return r.requested; }},
@@ -129,7 +133,8 @@ constexpr auto parameters_columns = table_of<ParameterRow>(
 
 constexpr auto findings_columns = table_of<FoundFault>(
     "metrics/findings.csv", "lint finding",
-    {{"stimulus", "", "id of the stimulus", [](auto& r) { return r.stimulus; }},
+    {{"stimulus", "", "id of the stimulus or, of several people, of the person (greet.a)",
+      [](auto& r) { return r.stimulus; }},
      {"check", "", "lint rule", [](auto& r) { return r.finding.check; }},
      {"severity", "", "error or warning",
       [](auto& r) { return motion::name_of(r.finding.severity); }},
@@ -149,11 +154,11 @@ constexpr auto findings_columns = table_of<FoundFault>(
 
 std::vector<BlendedExample> blended_examples(const Manifest& manifest, Motions& motions) {
   std::vector<BlendedExample> rows;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!is_blend(stimulus)) continue;
-    const Eigen::VectorXd& shares = motions.of(stimulus.id).weights;
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    if (!is_blend(*stimulus)) continue;
+    const Eigen::VectorXd& shares = motions.of(stimulus->id).weights;
     for (Eigen::Index i = 0; i < shares.size(); ++i)
-      rows.push_back({stimulus.id, ratings_of(&stimulus, motions),
+      rows.push_back({stimulus->id, ratings_of(stimulus, motions),
                       motions.repertoire().names[static_cast<std::size_t>(i)].name, shares[i]});
   }
   return rows;
@@ -161,9 +166,9 @@ std::vector<BlendedExample> blended_examples(const Manifest& manifest, Motions& 
 
 std::vector<MadeClip> made_clips(const Manifest& manifest, Motions& motions) {
   std::vector<MadeClip> rows;
-  for (const Stimulus& stimulus : manifest.stimuli)
-    rows.push_back({stimulus, motions.of(stimulus.id), ratings_of(&stimulus, motions),
-                    method_of(stimulus), motions.shown(stimulus).frame_count()});
+  for (const Stimulus* stimulus : motion_sources(manifest))
+    rows.push_back({*stimulus, motions.of(stimulus->id), ratings_of(stimulus, motions),
+                    method_of(*stimulus), motions.shown(*stimulus).frame_count()});
   return rows;
 }
 
@@ -192,7 +197,8 @@ std::vector<ParameterRow> parameters_of(const Synthesis& made, const Repertoire&
 
 std::vector<ParameterRow> parameters_of_stimuli(const Manifest& manifest, Motions& motions) {
   std::vector<ParameterRow> rows;
-  for (const Stimulus& stimulus : manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(manifest)) {
+    const Stimulus& stimulus = *source;
     const Synthesis& made = motions.of(stimulus.id);
     if (!is_blend(stimulus)) continue;
     const Repertoire& repertoire = motions.repertoire();
@@ -210,10 +216,10 @@ std::vector<ParameterRow> parameters_of_stimuli(const Manifest& manifest, Motion
 
 std::vector<FoundFault> found_faults(const Manifest& manifest, Motions& motions) {
   std::vector<FoundFault> rows;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    const Synthesis& made = motions.of(stimulus.id);
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    const Synthesis& made = motions.of(stimulus->id);
     for (const motion::Finding& finding : made.findings)
-      rows.push_back({stimulus.id, made.motion.clip.frames_per_second, finding});
+      rows.push_back({stimulus->id, made.motion.clip.frames_per_second, finding});
   }
   return rows;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/methods/study_facts.h"
@@ -122,8 +123,8 @@ std::string ratings_section(const Manifest& manifest, const Repertoire& repertoi
 constexpr std::size_t most_warnings_of_one_kind = 100;
 
 bool rests_on_simulated_ratings(const Manifest& manifest, Motions& motions) {
-  const bool any = std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(),
-                               [](const Stimulus& s) { return !s.adjectives.empty(); });
+  const bool any = std::ranges::any_of(
+      motion_sources(manifest), [](const Stimulus* motion) { return !motion->adjectives.empty(); });
   return any && motions.repertoire().simulated_ratings;
 }
 

@@ -7,6 +7,7 @@
 #include "motion/interpolation/interpolation_options.h"
 #include "motion/measures/distance/distance.h"
 #include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_waveform.h"
@@ -16,6 +17,7 @@
 #include "pipeline/production/report/report_tables.h"
 #include "pipeline/production/sheets/sheet.h"
 #include "pipeline/production/synthesis/modified_motion.h"
+#include "scenes/figures/figure_colour.h"
 
 namespace mien::pipeline {
 
@@ -139,29 +141,55 @@ std::string contact_sheet(const std::string& id) {
 
 }  // namespace
 
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
+namespace {
+
+/// How a motion was made, and what is remarkable about it.
+std::string motion_part(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
   const Synthesis& made = motions.of(stimulus.id);
+  std::string part = fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
+  if (const std::string markers = marker_facts(stimulus, motions); !markers.empty())
+    part += fmt::format("<p>Shown: {}.</p>\n", html_escaped(markers));
+  if (!made.modified.empty()) {
+    std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
+    for (const std::string& note : made.notes) sentence += "; " + note;
+    part += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
+  } else if (!made.notes.empty()) {
+    part += fmt::format("<p>Note: {}.</p>\n",
+                        html_escaped(fmt::format("{}", fmt::join(made.notes, "; "))));
+  }
+  return part + html_list("warnings", made.warnings) + finding_list(made) +
+         parameter_table(stimulus, made, motions, language) +
+         (stimulus.weights.empty() ? folded("Weights of the examples", weight_table(made, motions))
+                                   : weight_table(made, motions)) +
+         other_parameters(stimulus, made, motions, language);
+}
+
+/// The people of a stimulus, each with its motion.
+std::string people_part(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
+  std::string part;
+  for (std::size_t i = 0; i < stimulus.people.size(); ++i) {
+    const Person& person = stimulus.people[i];
+    const std::string colour =
+        person.colour.empty() ? std::string(scenes::person_colour(i)) : person.colour;
+    part += fmt::format("<h4 id=\"{}\"><span style=\"color:{}\">●</span> {}</h4>\n<p>{}.</p>\n",
+                        html_escaped(person.motion.id), html_escaped(colour),
+                        html_escaped(person.motion.id), html_escaped(person_facts(person)));
+    part += motion_part(person.motion, motions, language);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
   const std::string id = html_escaped(stimulus.id);
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
                   name_of(stimulus.role), id, id, name_of(stimulus.role));
   card += video_of(stimulus) + sound_of_card(stimulus) + contact_sheet(id);
-  card += fmt::format("<p>{}.</p>\n", html_escaped(facts_of(stimulus, made)));
-  if (const std::string markers = marker_facts(stimulus, motions); !markers.empty())
-    card += fmt::format("<p>Shown: {}.</p>\n", html_escaped(markers));
-  if (!made.modified.empty()) {
-    std::string sentence = "Modified: " + made.modified + share_text(made.modified_share);
-    for (const std::string& note : made.notes) sentence += "; " + note;
-    card += fmt::format("<p>{}.</p>\n", html_escaped(sentence));
-  } else if (!made.notes.empty()) {
-    card += fmt::format("<p>Note: {}.</p>\n",
-                        html_escaped(fmt::format("{}", fmt::join(made.notes, "; "))));
-  }
-  return card + html_list("warnings", made.warnings) + finding_list(made) +
-         parameter_table(stimulus, made, motions, language) +
-         (stimulus.weights.empty() ? folded("Weights of the examples", weight_table(made, motions))
-                                   : weight_table(made, motions)) +
-         other_parameters(stimulus, made, motions, language) + "</article>\n";
+  card += stimulus.people.empty() ? motion_part(stimulus, motions, language)
+                                  : people_part(stimulus, motions, language);
+  return card + "</article>\n";
 }
 
 std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/people.h"
 
 namespace mien::pipeline {
 
@@ -67,7 +68,8 @@ std::vector<const Sheet*> comparisons_in(const Manifest& manifest) {
 std::string link_to(const Stimulus& stimulus, const Manifest& manifest) {
   const std::string anchor = "#" + html_escaped(stimulus.id);
   if (!is_split(manifest)) return anchor;
-  const auto index = static_cast<std::size_t>(&stimulus - manifest.stimuli.data());
+  const auto index =
+      static_cast<std::size_t>(film_showing(manifest, stimulus.id) - manifest.stimuli.data());
   return ReportPart{CardKind::stimulus, index, index + 1}.path() + anchor;
 }
 

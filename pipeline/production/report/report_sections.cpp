@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/html.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/report/report_cards.h"
 #include "pipeline/production/report/report_tables.h"
 
@@ -92,15 +93,15 @@ std::string overlays_section(const std::string& title, std::span<const Overlay> 
 std::string findings_section(const Manifest& manifest, Motions& motions) {
   std::string rows;
   std::size_t count = 0;
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    const Synthesis& made = motions.of(stimulus.id);
+  for (const Stimulus* stimulus : motion_sources(manifest)) {
+    const Synthesis& made = motions.of(stimulus->id);
     if (made.findings.empty() && made.warnings.empty()) continue;
     ++count;
     const auto errors =
         std::ranges::count(made.findings, motion::Severity::error, &motion::Finding::severity);
     rows += fmt::format(
         "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        link_to(stimulus, manifest), html_escaped(stimulus.id), errors,
+        link_to(*stimulus, manifest), html_escaped(stimulus->id), errors,
         static_cast<std::ptrdiff_t>(made.findings.size() + made.warnings.size()) - errors,
         html_escaped(first_found(made)));
   }

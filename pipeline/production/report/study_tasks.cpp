@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/report/report.h"
 #include "pipeline/production/report/tables.h"
 #include "pipeline/tasks/code_identity.h"
@@ -20,6 +21,13 @@ constexpr const StudyTable* tables[] = {
     &distances_table,  &joint_distances_table, &weights_table,     &clips_table,
     &parameters_table, &examples_table,        &impressions_table, &expectations_table,
     &findings_table,   &feature_changes_table, &foils_table,       &fits_table};
+
+/// The tables of a study's tables task, in the order of its products.
+std::vector<const StudyTable*> tables_of(const Manifest& manifest) {
+  std::vector<const StudyTable*> made(std::begin(tables), std::end(tables));
+  if (has_people(manifest)) made.push_back(&people_table);
+  return made;
+}
 
 void put_page(TaskRun& run, std::size_t product, const std::string& text) {
   run.put_text(product, text, [&](const fs::path& file) {
@@ -51,13 +59,14 @@ Task tables_task(const Manifest& manifest, Motions& motions, const Hash& study) 
   task.id = "tables";
   task.kind = "tables";
   task.determinants.add("study", study);
-  for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
-  for (const StudyTable* table : tables)
-    task.products.push_back({std::string(table->form.path), {}});
+  for (const Stimulus* motion : motion_sources(manifest))
+    task.inputs.push_back("motion:" + motion->id);
+  const std::vector<const StudyTable*> made = tables_of(manifest);
+  for (const StudyTable* table : made) task.products.push_back({std::string(table->form.path), {}});
   task.cost_seconds = tables_cost_seconds;
-  task.make = [&manifest, &motions](TaskRun& run) {
-    for (std::size_t i = 0; i < run.keys.size(); ++i)
-      run.put_text(i, tables[i]->csv(manifest, motions), read_csv);
+  task.make = [&manifest, &motions, made](TaskRun& run) {
+    for (std::size_t i = 0; i < made.size(); ++i)
+      run.put_text(i, made[i]->csv(manifest, motions), read_csv);
   };
   return task;
 }

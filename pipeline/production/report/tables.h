@@ -30,6 +30,9 @@ extern const StudyTable parameters_table;
 extern const StudyTable findings_table;
 extern const StudyTable foils_table;  ///< measured differences of all foils from their originals
 
+/// People of stimuli with several; made only if there are any.
+extern const StudyTable people_table;
+
 /// Points of the recordings to which the body was fitted (fitted_recordings.h).
 extern const StudyTable fits_table;
 

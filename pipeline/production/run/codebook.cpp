@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/design/close_levels.h"
 #include "pipeline/production/design/confounds.h"
 #include "pipeline/production/film/film_dots.h"
@@ -11,6 +12,7 @@
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/report/study_tasks.h"
+#include "pipeline/production/report/tables.h"
 #include "pipeline/production/run/stimuli_table.h"
 #include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/production/synthesis/motion_task.h"
@@ -22,13 +24,14 @@ namespace {
 using nlohmann::ordered_json;
 
 std::vector<TableForm> table_forms(const Equalize& equalize, bool has_any_dots,
-                                   bool has_clip_points) {
+                                   bool has_clip_points, bool has_several_people) {
   std::vector<TableForm> forms = {stimuli_form};
   for (const TableForm& form : study_table_forms()) forms.push_back(form);
   for (const TableForm& form : film_table_forms()) forms.push_back(form);
   forms.push_back(warnings_form);
   forms.push_back(confounds_form);
   forms.push_back(close_levels_form);
+  if (has_several_people) forms.push_back(people_table.form);
   if (equalize.duration) forms.push_back(durations_form);
   if (equalize.size) forms.push_back(sizes_form);
   if (equalize.place) forms.push_back(places_form);
@@ -64,12 +67,13 @@ ordered_json as_json(const TableForm& form, const std::vector<std::string>& fact
 std::vector<TableForm> all_table_forms() {
   constexpr EqualizeGroup study = EqualizeGroup::study;
   return table_forms({.luminance = study, .size = study, .place = study, .duration = true}, true,
-                     true);
+                     true, true);
 }
 
 std::vector<TableForm> table_forms_of(const Manifest& manifest) {
   return table_forms(manifest.equalize, std::ranges::any_of(manifest.stimuli, has_dots),
-                     std::ranges::any_of(manifest.stimuli, has_table_of_points));
+                     std::ranges::any_of(manifest.stimuli, has_table_of_points),
+                     has_people(manifest));
 }
 
 std::string codebook_json(const Manifest& manifest) {

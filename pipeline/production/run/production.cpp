@@ -12,6 +12,7 @@
 #include "motion/text/shell_word.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_dots.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_tables.h"
@@ -129,9 +130,8 @@ Production::Production(Manifest manifest, ProductionOptions options)
 
 /// The motions, and the tasks that equalize films across them.
 void Production::add_motions(const SharedDeterminants& shared) {
-  for (const Stimulus& stimulus : manifest_.stimuli) {
-    graph_.add(motion_task(stimulus, shared, motions_));
-  }
+  for (const Stimulus* motion : motion_sources(manifest_))
+    graph_.add(motion_task(*motion, shared, motions_));
   if (manifest_.equalize.duration) graph_.add(durations_task(manifest_, shared, motions_));
   const FilmSettings settings{.seed = manifest_.seed, .threads = threads(), .sets = &sets_};
   for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
@@ -143,8 +143,10 @@ void Production::add_stimuli(const SharedDeterminants& shared) {
   const Equalize& equalize = manifest_.equalize;
   for (const Stimulus& stimulus : manifest_.stimuli) {
     if (!is_wanted(stimulus.id)) continue;
-    if (!stimulus.output.clips.empty())
-      add(clip_task(stimulus, equalize, shared, motions_), equalize);
+    for (const Stimulus* motion : motions_in(stimulus)) {
+      if (!motion->output.clips.empty())
+        add(clip_task(*motion, equalize, shared, motions_), equalize);
+    }
     if (has_dots(stimulus)) {
       add(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), equalize);
     }
@@ -208,7 +210,13 @@ bool Production::is_wanted(const std::string& id) const {
 }
 
 bool Production::is_wanted_motion(const std::string& name) const {
-  return motions_.stimulus(name) == nullptr || is_wanted(name);
+  const auto shows = [&](const Stimulus& stimulus) {
+    const auto motions = motions_in(stimulus);
+    return is_wanted(stimulus.id) &&
+           std::ranges::find(motions, name, &Stimulus::id) != motions.end();
+  };
+  return motions_.stimulus(name) == nullptr || is_wanted(name) ||
+         std::ranges::any_of(manifest_.stimuli, shows);
 }
 
 /// A sheet or overlay is wanted when it is named, or when the stimuli that it shows all are.

@@ -80,6 +80,14 @@ OrderedJson resolved_settings(const Stimulus& stimulus) {
   if (stimulus.modify.empty()) map.erase("on_fault");
   if (!is_blend(stimulus)) map.erase("interpolation");
   for (const ModificationStep& step : stimulus.modify) map["modify"].push_back(step_of(step));
+  for (std::size_t i = 0; i < stimulus.people.size(); ++i) {
+    const Person& person = stimulus.people[i];
+    OrderedJson& own = map["people"][i];
+    own["name"] = person.name;
+    own.erase("modify");
+    for (const ModificationStep& step : person.motion.modify)
+      own["modify"].push_back(step_of(step));
+  }
   return map;
 }
 
@@ -102,6 +110,12 @@ std::map<std::string, std::vector<std::string>> restricted_clips(
     endings.emplace_back("dots.csv");
     for (const std::string& ending : endings)
       restricted["clips/" + stimulus.id + "." + ending] = licences;
+    for (const Person& person : stimulus.people) {
+      const auto own = restricting_licences(person.motion, recordings);
+      if (own.empty()) continue;
+      for (const std::string& ending : stimulus.output.clips)
+        restricted["clips/" + person.motion.id + "." + ending] = own;
+    }
   }
   return restricted;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_exposure.h"
 #include "pipeline/production/film/film_framing.h"
 #include "pipeline/production/film/film_presentation.h"
@@ -84,8 +85,10 @@ class Rehearsal : public FaultList {
     if (!staging.wrong.empty()) return add(stimulus.path, staging.wrong, "");
     check_fades(stimulus, staging.frames);
     check_sound(stimulus, staging.frames);
-    if (const std::string wrong = unwritable_clip(stimulus, motions_); !wrong.empty())
-      add_of_output(stimulus, "output.clips", wrong, "omit this format");
+    for (const Stimulus* motion : motions_in(stimulus)) {
+      if (const std::string wrong = unwritable_clip(*motion, motions_); !wrong.empty())
+        add_of_output(stimulus, "output.clips", wrong, "omit this format");
+    }
   }
 
   void check_fades(const Stimulus& film, int frames) {
@@ -115,6 +118,7 @@ class Rehearsal : public FaultList {
 
 std::string kind_of(const Stimulus& stimulus) {
   std::string kind(source_of(stimulus));
+  for (const Person& person : stimulus.people) kind += "|" + kind_of(person.motion);
   const auto add = [&](const std::string& word) { kind += "|" + word; };
   add(method_of(stimulus));
   for (const NamedValues* values : {&stimulus.adjectives, &stimulus.features}) {
@@ -142,7 +146,9 @@ Indices sample_of(const std::vector<Stimulus>& stimuli, std::size_t most) {
 
 std::set<std::string> ids_of(const std::vector<Stimulus>& stimuli) {
   std::set<std::string> ids;
-  for (const Stimulus& stimulus : stimuli) ids.insert(stimulus.id);
+  for (const Stimulus& stimulus : stimuli) {
+    for (const Stimulus* motion : motions_in(stimulus)) ids.insert(motion->id);
+  }
   return ids;
 }
 
@@ -170,7 +176,9 @@ Manifest rehearsal_sample(const Manifest& manifest, std::size_t most) {
   sample.stimuli.clear();
   for (std::size_t i = 0; i < manifest.stimuli.size(); ++i) {
     const Stimulus& stimulus = manifest.stimuli[i];
-    if (chosen.contains(i) || on_first.contains(stimulus.id)) sample.stimuli.push_back(stimulus);
+    const auto is_on_first = [&](const Stimulus* motion) { return on_first.contains(motion->id); };
+    if (chosen.contains(i) || std::ranges::any_of(motions_in(stimulus), is_on_first))
+      sample.stimuli.push_back(stimulus);
   }
   const std::set<std::string> all = ids_of(manifest.stimuli);
   const std::set<std::string> kept = ids_of(sample.stimuli);

@@ -7,6 +7,7 @@
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_tables.h"
@@ -34,13 +35,13 @@ void put_provenance(const Production& production, const RunResult& result, Store
 std::vector<std::string> warnings_in(const Production& production, const RunResult& result,
                                      const Store& store) {
   std::vector<std::pair<std::string, std::string>> said;
-  for (const Stimulus& stimulus : production.manifest().stimuli) {
-    const std::size_t task = production.graph().index_of("motion:" + stimulus.id);
+  for (const Stimulus* motion : motion_sources(production.manifest())) {
+    const std::size_t task = production.graph().index_of("motion:" + motion->id);
     if (result.outcomes[task].products.empty()) continue;
     const Receipt& record = result.outcomes[task].products.front();
     for (const std::string& warning :
          parse_motion_record(read_file(store.folder() / record.path)).warnings) {
-      said.emplace_back(stimulus.id, warning);
+      said.emplace_back(motion->id, warning);
     }
   }
   const std::vector<Task>& tasks = production.graph().tasks;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/repetitions.h"
 #include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/film/film.h"
@@ -31,7 +32,18 @@ std::string listed(const NamedValues& values) {
   return text;
 }
 
+std::string requested_of(const Stimulus& stimulus);
+
+/// "a: sad=1; b: walk.bvh"
+std::string requested_of_people(const Stimulus& stimulus) {
+  std::string text;
+  for (const Person& person : stimulus.people)
+    text += (text.empty() ? "" : "; ") + person.name + ": " + requested_of(person.motion);
+  return text;
+}
+
 std::string requested_of(const Stimulus& stimulus) {
+  if (!stimulus.people.empty()) return requested_of_people(stimulus);
   if (stimulus.walk) return described(*stimulus.walk);
   if (!stimulus.clip)
     return listed(stimulus.adjectives) + listed(stimulus.features) + listed(stimulus.weights);
@@ -74,7 +86,8 @@ struct MadeStimulus {
   FilmRecord record;
   std::vector<std::string> levels;
   std::string requested;
-  const Synthesis* made = nullptr;  ///< null of an overlay
+  bool is_stimulus = false;         ///< not an overlay
+  const Synthesis* made = nullptr;  ///< null of an overlay, and of several people
   std::string ratings = {};
   std::string method = {};
   std::vector<ShownMood> moods = {};
@@ -87,7 +100,7 @@ struct MadeStimulus {
   /// From the study's folder; empty where it was not made.
   std::string clip() const {
     const std::vector<std::string>& clips = film.output.clips;
-    return clips.empty() ? "" : "clips/" + film.id + "." + clips.front();
+    return clips.empty() || !film.people.empty() ? "" : "clips/" + film.id + "." + clips.front();
   }
   std::string frames() const {
     return film.output.frames == FrameFormat::none ? "" : "frames/" + film.id;
@@ -103,17 +116,20 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
     "metrics/stimuli.csv", "stimulus, followed by one per overlay",
     {{"stimulus", "", "id of the stimulus or overlay, as used in all other tables",
       [](auto& r) { return r.film.id; }},
-     {"kind", "", "stimulus or overlay", [](auto& r) { return r.made ? "stimulus" : "overlay"; }},
+     {"kind", "", "stimulus or overlay",
+      [](auto& r) { return r.is_stimulus ? "stimulus" : "overlay"; }},
      {"role", "", "target, created or reference; empty for an overlay",
-      [](auto& r) { return r.made ? name_of(r.film.role) : ""; }},
+      [](auto& r) { return r.is_stimulus ? name_of(r.film.role) : ""; }},
      {"factor_*", "",
       "level of a design factor; emotion, strength, example and clip are filled in where they "
       "follow from the stimulus; otherwise empty",
       [](auto& r) { return r.levels; }},
      {"source", "",
-      "source of the motion: adjectives, features, weights, clip or path; motions for an overlay",
-      [](auto& r) { return r.made ? source_of(r.film) : "motions"; }},
-     {"requested", "", "requested values (name=value), file, path, or motions of an overlay",
+      "source of the motion: adjectives, features, weights, clip or path; people, if there are "
+      "several; motions for an overlay",
+      [](auto& r) { return r.is_stimulus ? source_of(r.film) : "motions"; }},
+     {"requested", "",
+      "requested values (name=value), file, path, those of each person, or motions of an overlay",
       [](auto& r) { return r.requested; }},
      {"ratings", "",
       "ratings on which the motion is based: given (by people), simulated or none (features, "
@@ -190,7 +206,9 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
       [](auto& r) { return r.record.sound ? r.record.sound->loudness_lufs.value_or(NAN) : NAN; }},
      {"true_peak_dbtp", "dBTP", "true peak of the sound, before encoding; empty for silence",
       [](auto& r) { return r.record.sound ? r.record.sound->true_peak_dbtp.value_or(NAN) : NAN; }},
-     {"clip", "", "path of the motion file, relative to the study folder",
+     {"clip", "",
+      "path of the motion file, relative to the study folder; empty with several people, whose "
+      "files are clips/<stimulus>.<person>",
       [](auto& r) { return r.clip(); }},
      {"clip_hash", "", "its XXH3-128", [](auto& r) { return r.hash_of(r.clip()); }},
      {"frames", "", "path of the folder of frames, relative to the study folder",
@@ -224,10 +242,10 @@ std::string stimuli_csv(const Manifest& manifest, Motions& motions, const fs::pa
   for (const Stimulus& stimulus : manifest.stimuli) {
     std::vector<std::string> levels;
     for (const std::string& factor : factors) levels.push_back(level_of(stimulus, factor));
-    rows.push_back({stimulus, folder, film_record(folder, stimulus.id), std::move(levels),
-                    requested_of(stimulus), &motions.of(stimulus.id),
-                    ratings_of(&stimulus, motions), method_of(stimulus),
-                    shown_moods(motions, stimulus)});
+    rows.push_back(
+        {stimulus, folder, film_record(folder, stimulus.id), std::move(levels),
+         requested_of(stimulus), true, stimulus.people.empty() ? &motions.of(stimulus.id) : nullptr,
+         ratings_of(&stimulus, motions), method_of(stimulus), shown_moods(motions, stimulus)});
   }
   for (const Overlay& overlay : manifest.overlays)
     rows.push_back({overlay.film, folder, film_record(folder, overlay.film.id),
@@ -246,9 +264,9 @@ std::string warnings_csv(const Manifest& manifest, Motions& motions, const fs::p
     rows.push_back({"", "design", to_sentence(warning)});
   for (const Repetition& repetition : repetitions_in(manifest))
     rows.push_back({repetition.id, "design", to_sentence(repetition)});
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    for (const std::string& warning : motions.of(stimulus.id).warnings)
-      rows.push_back({stimulus.id, "motion", warning});
+  for (const Stimulus* motion : motion_sources(manifest)) {
+    for (const std::string& warning : motions.of(motion->id).warnings)
+      rows.push_back({motion->id, "motion", warning});
   }
   for (const Stimulus* film : films_of(manifest)) {
     for (const std::string& warning : film_record(folder, film->id).warnings)

@@ -6,6 +6,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/example_files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
 #include "pipeline/manifest/study_texts.h"
 #include "scenes/character/character.h"
@@ -103,25 +104,37 @@ void add_recording(std::vector<fs::path>& files, const fs::path& file, const Rec
   if (!how.body_model.empty()) files.push_back(how.body_model);
 }
 
+/// All motion files of one motion.
+void add_recordings(std::vector<fs::path>& files, const Stimulus& motion) {
+  if (motion.clip) add_recording(files, motion.clip->file, motion.clip->how);
+  if (motion.walk) {
+    for (const GraphMotion& part : motion.walk->graph) add_recording(files, part.file, part.how);
+  }
+  for (const ModificationStep& step : motion.modify) {
+    if (!step.pose) continue;
+    add_recording(files, step.pose->neutral.file, step.pose->neutral.how);
+    add_recording(files, step.pose->posed.file, step.pose->posed.how);
+  }
+}
+
+void add_character(std::vector<fs::path>& files, const scenes::Figure& figure) {
+  const fs::path* file = scenes::file_of(figure);
+  if (file == nullptr) return;
+  files.push_back(*file);
+  for (const fs::path& part : scenes::files_of_character(*file)) files.push_back(part);
+}
+
 /// Motions and characters, with the files that belong to them, each once.
 std::vector<fs::path> uncopied_files(const Manifest& manifest) {
   std::vector<fs::path> files;
   for (const fs::path& file : repertoire_files(manifest)) add_motion_file(files, file);
   for (const Stimulus* film : films_of(manifest)) {
-    if (film->clip) add_recording(files, film->clip->file, film->clip->how);
-    if (film->walk) {
-      for (const GraphMotion& motion : film->walk->graph)
-        add_recording(files, motion.file, motion.how);
+    add_character(files, film->look.figure);
+    for (const Person& person : film->people) {
+      if (person.figure) add_character(files, *person.figure);
+      if (person.stated) add_recordings(files, *person.stated);
     }
-    for (const ModificationStep& step : film->modify) {
-      if (!step.pose) continue;
-      add_recording(files, step.pose->neutral.file, step.pose->neutral.how);
-      add_recording(files, step.pose->posed.file, step.pose->posed.how);
-    }
-    if (const fs::path* file = scenes::file_of(film->look.figure)) {
-      files.push_back(*file);
-      for (const fs::path& part : scenes::files_of_character(*file)) files.push_back(part);
-    }
+    for (const Stimulus* motion : motions_in(*film)) add_recordings(files, *motion);
   }
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());

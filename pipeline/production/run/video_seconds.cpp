@@ -17,7 +17,7 @@ VideoSeconds video_seconds(const Manifest& manifest, Motions& motions) {
     const Stimulus* stimulus = motions.stimulus(id);
     if (stimulus == nullptr) continue;
     const Output& output = stimulus->output;
-    const int frames = motions.shown(*stimulus).frame_count();
+    const int frames = motions.shown_frames(*stimulus);
     const bool may_hold = stimulus->sound && stimulus->sound->length == SoundLength::hold;
     const int held = may_hold ? film_sound(*stimulus, {}, frames)->held_frames : 0;
     seconds[id] = frames_of(output.presentation, output.fps, frames, held).all() / output.fps;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/film/disk_light_cache.h"
 #include "pipeline/production/film/film_equalized.h"
 #include "pipeline/production/film/film_shot.h"
@@ -56,7 +57,8 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
       .add("columns", std::int64_t{sheet.columns})
       .add("duration", std::int64_t{manifest.equalize.duration});
   for (const std::string& id : sheet.stills) {
-    task.inputs.push_back("motion:" + id);
+    for (const Stimulus* motion : motions_in(*motions.stimulus(id)))
+      task.inputs.push_back("motion:" + motion->id);
     task.determinants.add("still", id);
     add_film(task.determinants, *motions.stimulus(id), shared.files);
   }

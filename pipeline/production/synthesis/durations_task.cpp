@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/clips/finished_motions.h"
+#include "pipeline/production/clips/people_clips.h"
 #include "pipeline/tasks/code_identity.h"
 
 namespace mien::pipeline {
@@ -31,9 +33,8 @@ constexpr auto durations_columns = table_of<FilmDuration>(
 std::string durations_csv(const Manifest& manifest, Motions& motions) {
   std::vector<FilmDuration> rows;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    const motion::Clip own = playback_clip(motions.clip(stimulus.id), stimulus.output);
-    rows.push_back(
-        {stimulus.id, own.frame_count() / own.frames_per_second, motions.shortest_seconds()});
+    const double own_s = own_frames(stimulus, motions) / stimulus.output.fps;
+    rows.push_back({stimulus.id, own_s, motions.shortest_seconds()});
   }
   return durations_columns.of(rows).csv;
 }
@@ -47,7 +48,8 @@ Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, 
   task.id = task.kind = durations_task_id;
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", motion_code());
-  for (const Stimulus& stimulus : manifest.stimuli) task.inputs.push_back("motion:" + stimulus.id);
+  for (const Stimulus* motion : motion_sources(manifest))
+    task.inputs.push_back("motion:" + motion->id);
   task.products = {{std::string(durations_form.path), {}}, {duration_record_path, {}}};
   task.cost_seconds = duration_cost_seconds * static_cast<double>(manifest.stimuli.size());
   task.make = [&manifest, &motions](TaskRun& run) {

@@ -8,6 +8,7 @@
 #include "motion/formats/fitted_file.h"
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/named_motions.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/recording_files.h"
 
 namespace mien::pipeline {
@@ -49,20 +50,21 @@ class Collection {
   std::vector<Entry> entries_;
 };
 
-bool uses_examples_of(const Stimulus& stimulus) {
-  return is_blend(stimulus) || names_examples(stimulus);
+bool uses_examples_of(const Stimulus* motion) {
+  return is_blend(*motion) || names_examples(*motion);
 }
 
 }  // namespace
 
 std::vector<FittedRecording> fitted_recordings(const Manifest& manifest, Motions& motions) {
   Collection collection;
-  if (std::ranges::any_of(manifest.stimuli, uses_examples_of)) {
+  if (std::ranges::any_of(motion_sources(manifest), uses_examples_of)) {
     for (const motion::ExampleOrigin& origin : motions.repertoire().origins)
       collection.add(origin.file, read_options(manifest.examples.how), "examples",
                      [&] { return origin.fit; });
   }
-  for (const Stimulus& stimulus : manifest.stimuli) {
+  for (const Stimulus* source : motion_sources(manifest)) {
+    const Stimulus& stimulus = *source;
     for (const NamedMotion& motion : named_motions(stimulus)) {
       const bool is_clip = motion.path == member_path(stimulus.path, "clip");
       collection.add(motion.file, motion.how, stimulus.id, [&] {

@@ -6,7 +6,9 @@
 
 #include "motion/examples/flight_examples.h"
 #include "motion/examples/settled_feet.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/recording_files.h"
+#include "pipeline/production/clips/people_clips.h"
 #include "pipeline/production/synthesis/walked_path.h"
 
 namespace mien::pipeline {
@@ -44,6 +46,7 @@ const Repertoire& Motions::repertoire() {
 const Stimulus* Motions::stimulus(const std::string& id) const {
   std::call_once(stimuli_once_, [this] {
     for (const Stimulus& one : manifest_.stimuli) stimuli_.emplace(one.id, &one);
+    for (const Stimulus* motion : motion_sources(manifest_)) stimuli_.emplace(motion->id, motion);
   });
   const auto found = stimuli_.find(id);
   return found == stimuli_.end() ? nullptr : found->second;
@@ -80,19 +83,25 @@ const motion::Example& Motions::measured(const std::string& name) {
 
 motion::Clip Motions::shown(const Stimulus& stimulus) {
   motion::Clip shown = playback_clip(clip(stimulus.id), stimulus.output);
-  if (!manifest_.equalize.duration) return shown;
-  const auto frames = static_cast<std::size_t>(
-      std::max(1.0, std::round(shortest_seconds() * shown.frames_per_second)));
-  if (shown.poses.size() <= frames) return shown;
-  return motion::cut(shown, 0, static_cast<int>(frames) - 1);
+  const int frames = cut_to_shortest(shown.frame_count(), shown.frames_per_second);
+  return frames == shown.frame_count() ? shown : motion::cut(shown, 0, frames - 1);
+}
+
+int Motions::shown_frames(const Stimulus& stimulus) {
+  return cut_to_shortest(own_frames(stimulus, *this), stimulus.output.fps);
+}
+
+int Motions::cut_to_shortest(int frames, double frames_per_second) {
+  if (!manifest_.equalize.duration) return frames;
+  const double most = std::max(1.0, std::round(shortest_seconds() * frames_per_second));
+  return std::min(frames, static_cast<int>(most));
 }
 
 double Motions::shortest_seconds() {
   std::call_once(shortest_once_, [this] {
     shortest_s_ = std::numeric_limits<double>::infinity();
     for (const Stimulus& one : manifest_.stimuli) {
-      const motion::Clip shown = playback_clip(clip(one.id), one.output);
-      shortest_s_ = std::min(shortest_s_, shown.frame_count() / shown.frames_per_second);
+      shortest_s_ = std::min(shortest_s_, own_frames(one, *this) / one.output.fps);
     }
   });
   return shortest_s_;
@@ -114,6 +123,10 @@ Synthesis Motions::make(const std::string& name) {
   if (requested == nullptr) {
     return synthesize_example(name, manifest_.output, manifest_.interpolation, repertoire());
   }
+  if (!requested->people.empty()) {
+    throw Error("\"" + name + "\" has several people, each with a motion",
+                "name one of them, such as " + requested->people.front().motion.id);
+  }
   try {
     return synthesized(*requested);
   } catch (const UnwalkableStep& fault) {
@@ -129,12 +142,16 @@ Synthesis Motions::synthesized(const Stimulus& requested) {
 }
 
 bool blends_examples(const Manifest& manifest) {
-  return std::any_of(manifest.stimuli.begin(), manifest.stimuli.end(), is_blend);
+  return std::ranges::any_of(motion_sources(manifest),
+                             [](const Stimulus* motion) { return is_blend(*motion); });
 }
 
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id) {
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.id == id) return &stimulus;
+    for (const Person& person : stimulus.people) {
+      if (person.motion.id == id) return &person.motion;
+    }
   }
   return nullptr;
 }

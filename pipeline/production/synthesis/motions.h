@@ -30,8 +30,8 @@ class Motions : public FinishedMotions {
 
   const Stimulus* stimulus(const std::string& id) const override;
 
-  /// Returns the motion of a stimulus or, if there is no stimulus of that name, of an example.
-  /// Throws Error.
+  /// Returns the motion of a stimulus, of a person or, if there is neither, of an example. Throws
+  /// Error, also for a stimulus with several people.
   const Synthesis& of(const std::string& name);
 
   /// Returns the distance between two motions (motion/measures/distance/distance.h). For motion
@@ -42,6 +42,7 @@ class Motions : public FinishedMotions {
 
   const motion::Clip& clip(const std::string& name) override { return of(name).motion.clip; }
   motion::Clip shown(const Stimulus& stimulus) override;
+  int shown_frames(const Stimulus& stimulus) override;
 
   /// Returns the duration of the shortest of all clips shown, in seconds. Makes all motions unless
   /// it is known (know_shortest).
@@ -55,6 +56,7 @@ class Motions : public FinishedMotions {
   Synthesis make(const std::string& name);
   Synthesis synthesized(const Stimulus& requested);
   const motion::Example& measured(const std::string& name);
+  int cut_to_shortest(int frames, double frames_per_second);
 
   const Manifest& manifest_;
   mutable std::once_flag stimuli_once_;
@@ -70,7 +72,8 @@ class Motions : public FinishedMotions {
 /// Whether any stimulus is made from examples instead of from a file or along a path.
 bool blends_examples(const Manifest& manifest);
 
-/// Returns the stimulus with that id, or nullptr. A linear search, suitable for a few ids.
+/// Returns the stimulus with that id, or that of a person's motion, or nullptr. A linear search,
+/// suitable for a few ids.
 const Stimulus* find_stimulus(const Manifest& manifest, const std::string& id);
 
 }  // namespace mien::pipeline

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/production/synthesis/synthesis.h"
 
@@ -221,17 +222,18 @@ std::vector<RequestedParameter> requested_parameters(const Manifest& manifest) {
 
 std::vector<RequestedParameter> requested_parameters(const Manifest& manifest, Motions& motions) {
   std::vector<RequestedParameter> requested;
-  const auto asks = [](const Stimulus& stimulus) {
-    return !stimulus.adjectives.empty() &&
-           stimulus.interpolation.weights.method != motion::InterpolationMethod::pca;
+  const auto asks = [](const Stimulus* motion) {
+    return !motion->adjectives.empty() &&
+           motion->interpolation.weights.method != motion::InterpolationMethod::pca;
   };
-  if (!std::ranges::any_of(manifest.stimuli, asks)) return requested;
+  const std::vector<const Stimulus*> sources = motion_sources(manifest);
+  if (!std::ranges::any_of(sources, asks)) return requested;
   const Repertoire& repertoire = motions.repertoire();
-  for (const Stimulus& stimulus : manifest.stimuli) {
-    if (!asks(stimulus)) continue;
-    const ParameterRequest request = request_of(stimulus, repertoire);
+  for (const Stimulus* motion : sources) {
+    if (!asks(motion)) continue;
+    const ParameterRequest request = request_of(*motion, repertoire);
     for (FeasibleParameter& parameter : feasible_parameters(request, repertoire.parameters))
-      requested.push_back({stimulus.id, std::move(parameter)});
+      requested.push_back({motion->id, std::move(parameter)});
   }
   return requested;
 }

@@ -21,6 +21,7 @@ using Eigen::Index;
 std::string_view fault_of(const Stimulus& stimulus) {
   if (stimulus.clip) return "shows a motion file";
   if (stimulus.walk) return "walks along a path";
+  if (!stimulus.people.empty()) return "shows several people";
   return stimulus.modify.empty() ? "" : "is modified";
 }
 

@@ -12,6 +12,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/questionnaire_pairs.h"
 #include "pipeline/manifest/ratings/answers/trace.h"
@@ -232,22 +233,27 @@ AssumedTruth measured_truth(const Manifest& manifest) {
       }
     }
     if (!set.examples.empty() && set.examples.back().name == id) continue;
-    set.examples.push_back(motions.of(id).motion);
-    set.examples.back().name = id;
-    if (stimulus != nullptr && stimulus->walk) keep_steady_part(set.examples.back(), false);
-    starts.push_back(0.0);
+    for (const Stimulus* motion : motions_in(*motions.stimulus(id))) {
+      set.examples.push_back(motions.of(motion->id).motion);
+      set.examples.back().name = id;
+      if (stimulus != nullptr && stimulus->walk) keep_steady_part(set.examples.back(), false);
+      starts.push_back(0.0);
+    }
   }
   AssumedTruth truth;
   const std::vector<StyledStimulus> profiles = measured_profiles(set);
   for (std::size_t i = 0; i < profiles.size(); ++i) {
     const StyledStimulus& stimulus = profiles[i];
+    // Several people are rated by their mean.
+    const Stimulus* shown = motions.stimulus(stimulus.name);
+    const auto people = shown == nullptr ? 1.0 : static_cast<double>(motions_in(*shown).size());
     if (form.is_detection)
-      truth.ratings[{stimulus.name, std::string(form.item)}] =
-          std::accumulate(stimulus.profile.begin(), stimulus.profile.end(), 0.0);
+      truth.ratings[{stimulus.name, std::string(form.item)}] +=
+          std::accumulate(stimulus.profile.begin(), stimulus.profile.end(), 0.0) / people;
     for (const Scale& scale : scales.scales) {
       const double rating = rating_of(scale, stimulus.profile);
       if (starts[i] == 0.0)
-        truth.ratings[{stimulus.name, scale.id}] = rating;
+        truth.ratings[{stimulus.name, scale.id}] += rating / people;
       else
         truth.courses[{stimulus.name, scale.id}].push_back({starts[i], rating});
     }

@@ -71,11 +71,15 @@ std::string modified_id(const std::string& neutral, const std::string& emotion) 
   return neutral + "+" + emotion;
 }
 
+bool is_reference(const Stimulus& stimulus) {
+  return stimulus.role == Role::reference && stimulus.people.empty();
+}
+
 /// The references of a manifest, each modified by each recipe, in a manifest of its own.
 Manifest with_modified_references(const Manifest& manifest, const RecipeBook& book) {
   Manifest result = manifest;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.role != Role::reference) continue;
+    if (!is_reference(stimulus)) continue;
     for (const Recipe& recipe : book.recipes) {
       Stimulus modified = stimulus;
       modified.id = modified_id(stimulus.id, recipe.name);
@@ -108,7 +112,7 @@ std::vector<ActedVersion> acted_versions(const Manifest& manifest, const RecipeB
   std::vector<ActedVersion> versions;
   std::vector<std::string> references;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.role == Role::reference) references.push_back(stimulus.id);
+    if (is_reference(stimulus)) references.push_back(stimulus.id);
   }
   for (const Stimulus& stimulus : manifest.stimuli) {
     const std::string neutral = level_of(stimulus, "neutral");
@@ -172,7 +176,7 @@ std::vector<RecipeResult> recipe_results(const Manifest& manifest) {
   Motions motions(crossed);
   std::vector<RecipeResult> results;
   for (const Stimulus& stimulus : manifest.stimuli) {
-    if (stimulus.role != Role::reference) continue;
+    if (!is_reference(stimulus)) continue;
     const motion::Clip& original = motions.of(stimulus.id).motion.clip;
     for (const Recipe& recipe : book.recipes) {
       const Synthesis& made = motions.of(modified_id(stimulus.id, recipe.name));

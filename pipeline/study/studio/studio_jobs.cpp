@@ -29,6 +29,7 @@ Manifest browser_manifest(Manifest manifest, const std::string& id,
     output.frames = FrameFormat::none;
     output.clips.clear();
     if (quality) output.quality = *quality;
+    for (Person& person : stimulus.people) person.motion.output = output;
   }
   return manifest;
 }

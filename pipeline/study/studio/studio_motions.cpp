@@ -131,6 +131,9 @@ StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
     if (cached_key == key) return cached;
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
+  if (stimulus != nullptr && !stimulus->people.empty())
+    throw Error("\"" + name + "\" has several people, which the studio does not show yet",
+                "edit them in the manifest's file");
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
   // As in a run: stimuli from a file or a path need no examples.

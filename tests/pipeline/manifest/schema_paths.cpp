@@ -50,7 +50,8 @@ std::map<std::string, json> properties_of(const json& schema) {
   // without a map around it.
   std::erase_if(found, [](const auto& property) {
     return property.first.find("modify[]") != std::string::npos ||
-           property.first.find("stimuli[].path[]") != std::string::npos;
+           property.first.find("stimuli[].path[]") != std::string::npos ||
+           property.first.find("people[].path[]") != std::string::npos;
   });
   return found;
 }

@@ -22,6 +22,7 @@ class OneMotion : public FinishedMotions {
   const Stimulus* stimulus(const std::string&) const override { return nullptr; }
   const motion::Clip& clip(const std::string&) override { return clip_; }
   motion::Clip shown(const Stimulus&) override { return clip_; }
+  int shown_frames(const Stimulus&) override { return clip_.frame_count(); }
   void know_shortest(double) override {}
 
  private:

@@ -136,7 +136,13 @@ constexpr char with_attention_checks[] =
 constexpr char with_shared_steps[] =
     R"({"adaptive": {"participants": 100, "method": "gibbs", "words": ["sad"], "space": {"groups": "all"}, "across_participants": true, "people_per_step": 2}})";
 
+constexpr char with_people[] =
+    R"({"stimuli": [{"id": "a", "people": [{"weights": {"normal": 1}, "place": {}}, {"weights": {"sad": 1}, "place": {"x": 1}}]}, {"id": "b", "weights": {"tired": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
+
 const Surroundings surroundings[] = {
+    {"stimuli[].people[].", with_people, "{}"},
+    {"stimuli[].people", with_people, "{}"},
+    {"stimuli[].swap", with_people, "{}"},
     {"stimuli[].audio.file", with_sounds, R"({"length": "cut"})"},
     {"stimuli[].audio.from", with_sounds, R"({"length": "cut"})"},
     {"stimuli[].audio.length", with_sounds, R"({"file": "one.wav"})"},
@@ -372,6 +378,18 @@ struct Values {
 };
 
 const Values chosen_values[] = {
+    {"stimuli[].people",
+     R"([[{"weights": {"normal": 1}, "place": {}}, {"weights": {"sad": 1}, "place": {"x": 1}}],
+         [{"weights": {"normal": 1}, "place": {}}, {"weights": {"tired": 1}, "place": {"x": 1}}]])"},
+    {"people[].name", R"(["x", "y"])"},
+    {"people[].place", R"([{"x": 0.5}, {"z": 0.5}])"},
+    {"people[].place.x", "[0.5, -0.5]"},
+    {"people[].place.z", "[0.5, -0.5]"},
+    {"people[].place.turn", "[45, 90]"},
+    {"people[].start", "[0.2, 0.5]"},
+    {"people[].look", R"([{"colour": "#112233"}, {"figure": "mannequin"}])"},
+    {"people[].look.colour", R"(["#112233", "#445566"])"},
+    {"stimuli[].swap", R"([{"b": "b"}, {"b": "c"}])"},
     {"stimuli[].audio",
      R"([{"file": "one.wav", "length": "cut"}, {"file": "two.wav", "length": "cut"}])"},
     {"stimuli[].audio.file", R"(["one.wav", "two.wav"])"},
@@ -949,6 +967,33 @@ std::string unrated(const motion::Clip& clip) {
   return text.erase(line, text.find('\n', line) + 1 - line);
 }
 
+/// The keys that a person has in common with a stimulus.
+const std::vector<std::string> motion_keys = {"adjectives",    "hold",   "features",
+                                              "weights",       "clip",   "path",
+                                              "interpolation", "modify", "on_fault"};
+
+/// "modify.tempo" of "stimuli[].people[].modify.tempo"; empty if a stimulus has no such key.
+std::string key_of_motion(const std::string& path) {
+  constexpr std::string_view person = "stimuli[].people[].";
+  if (!path.starts_with(person)) return "";
+  const std::string own = path.substr(person.size());
+  const std::string first = own.substr(0, own.find_first_of(".["));
+  return std::ranges::find(motion_keys, first) == motion_keys.end() ? "" : own;
+}
+
+/// The motion of the first stimulus given to one of two people.
+json with_people_of(json manifest) {
+  json& stimulus = manifest["stimuli"][0];
+  json person = {{"place", json::object()}};
+  for (const std::string& key : motion_keys) {
+    if (!stimulus.contains(key)) continue;
+    person[key] = stimulus[key];
+    stimulus.erase(key);
+  }
+  stimulus["people"] = {person, {{"weights", {{"sad", 1}}}, {"place", {{"x", 1}}}}};
+  return manifest;
+}
+
 json with_value(const std::string& path, const json& value) {
   json manifest = tiny_study();
   const Surroundings* around = nullptr;
@@ -975,6 +1020,10 @@ bool has_one_value(const std::string& path) {
 }
 
 OptionVariants variants_of(const std::string& path, const json& node) {
+  if (const std::string own = key_of_motion(path); !own.empty()) {
+    const OptionVariants variants = variants_of("stimuli[]." + own, node);
+    return {with_people_of(variants.first), with_people_of(variants.second)};
+  }
   const Values* chosen = entry_for(chosen_values, path);
   const bool is_of_nameless =
       path.ends_with(".joints") && path.find("point-light") == std::string::npos;

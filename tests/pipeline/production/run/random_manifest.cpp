@@ -147,9 +147,16 @@ class Generator {
 
   json stimulus(const std::string& id) {
     json drawn = value(followed(schema_["properties"]["stimuli"]["items"]), 1);
-    for (const char* motion : {"adjectives", "features", "weights", "clip", "path"})
+    for (const char* motion :
+         {"adjectives", "features", "weights", "clip", "path", "people", "swap"})
       drawn.erase(motion);
     drawn["id"] = id;
+    if (chance(0.15)) {
+      for (const char* own : {"hold", "modify"}) drawn.erase(own);
+      drawn["people"] = one_of(people);
+      if (drawn.contains("output")) make_small(drawn["output"]);
+      return drawn;
+    }
     switch (below(6)) {
       case 0:
         drawn["adjectives"] = named_numbers({"quickness", "largeness", "sad-happy"});
@@ -194,6 +201,10 @@ class Generator {
   const json clips = json::parse(
       R"(["walk.bvh", "two.bvh", "one.bvh", {"file": "walk.bvh", "frames": [0, 2]},
           {"file": "walk.bvh", "frames": [3, 20]}])");
+  const json people = json::parse(
+      R"([[{"weights": {"sad": 1}, "place": {"x": -0.5, "turn": 90}},
+           {"clip": "walk.bvh", "place": {"x": 0.5, "turn": -90}, "start": 0.3}],
+          [{"clip": "walk.bvh"}, {"clip": "one.bvh"}, {"path": [{"walk": 0.5}]}]])");
   const json paths = json::parse(
       R"([[{"walk": 0.5}], [{"stand": 0.3}, {"turn": 45}], {"points": [[0, 0], [0.7, 0.2]]}])");
 };
