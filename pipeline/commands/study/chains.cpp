@@ -19,6 +19,7 @@
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
 #include "pipeline/study/analysis/scales_yaml.h"
+#include "pipeline/study/chains/experiment/chain_dataset.h"
 #include "pipeline/study/chains/experiment/chain_results.h"
 #include "pipeline/study/chains/experiment/word_prototypes.h"
 #include "pipeline/study/results/answer_set.h"
@@ -131,7 +132,13 @@ int analyse_chains(const ChainsCommand& command, const Console& console) {
   make_folder(folder);
   // They mark the folder as one of results, also if the rest is not written.
   for (const NewTable& file : files) write_file(file.file, file.csv);
-  write_tables(folder, chain_tables(results));
+  const std::vector<WrittenTable> tables = chain_tables(results);
+  write_tables(folder, tables);
+  for (const auto& [name, bytes] :
+       chain_dataset(manifest.study, inputs.answers, tables, results.simulated)) {
+    make_folder((folder / name).parent_path());
+    write_file(folder / name, bytes);
+  }
   write_plot(chains_plot(results), folder, "chains");
   write_plot(prototypes_plot(results), folder, "prototypes");
   write_plot(densities_plot(results), folder, "densities");
@@ -159,15 +166,13 @@ Command study_chains_command() {
                       "as samples (default: the first half)")
                       .between(0, 1000)},
       .notes =
-          "Writes samples.csv, prototypes.csv, densities.csv and distances.csv with a codebook, "
-          "the "
-          "figures chains,\n"
-          "prototypes and densities as .pdf, .svg and .png, and what manifests take: "
-          "words.scales.yaml and "
-          "words.ratings.csv for examples, so\n"
-          "that stimuli can have adjectives: {sad: 0.8}, and prototypes.yaml, which makes a "
-          "film of each word and\n"
-          "asks for ratings of them.\n\n"
+          "Writes the answers (data), samples.csv, prototypes.csv, densities.csv and distances.csv "
+          "with a codebook,\n"
+          "the figures chains, prototypes and densities as .pdf, .svg and .png, and what manifests "
+          "take:\n"
+          "words.scales.yaml and words.ratings.csv for examples, so that stimuli can have "
+          "adjectives: {sad: 0.8},\n"
+          "and prototypes.yaml, which makes a film of each word and asks for ratings of them.\n\n"
           "Examples:\n"
           "  mien study simulate gibbs-words -o steps.csv\n"
           "  mien study chains gibbs-words steps.csv -o chains\n"

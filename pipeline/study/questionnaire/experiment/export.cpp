@@ -13,6 +13,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/html.h"
+#include "pipeline/base/documents/psych_ds.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
@@ -28,12 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-ordered_json variable(std::string_view name, std::string_view meaning, std::string_view unit = "") {
-  ordered_json made = {{"@type", "PropertyValue"}, {"name", name}, {"description", meaning}};
-  if (!unit.empty()) made["unitText"] = unit;
-  return made;
-}
 
 /// A page opened from a file cannot fetch a motion file next to it, but can load it as a script.
 std::string as_script(const MediaFile& file, std::string_view bytes) {
@@ -54,30 +49,30 @@ ZipFiles page_files(const fs::path& pages, bool is_turned) {
 ordered_json dataset_description(const Manifest& manifest) {
   ordered_json variables = ordered_json::array();
   for (const Column& column : answer_form.columns)
-    variables.push_back(variable(column.name, column.meaning, column.unit));
+    variables.push_back(psych_ds_variable(column.name, column.meaning, column.unit));
   for (const char* name : {"consented_at", "finished", "ended", "screening_fault", "language",
                            "consent_version", "consent_sha256"})
-    variables.push_back(variable(name, find_column(participant_form, name)->meaning));
+    variables.push_back(psych_ds_variable(name, find_column(participant_form, name)->meaning));
   if (questionnaire_of(manifest).screening.sound) {
-    variables.push_back(variable("tones_1", "number of tones that the participant counted"));
-    variables.push_back(variable("tones_2", "the same at the second attempt, after a wrong count"));
+    variables.push_back(
+        psych_ds_variable("tones_1", "number of tones that the participant counted"));
+    variables.push_back(
+        psych_ds_variable("tones_2", "the same at the second attempt, after a wrong count"));
   }
   for (const ScreeningQuestion& question : questionnaire_of(manifest).screening.questions)
-    variables.push_back(variable(question.id, question.ask.text));
+    variables.push_back(psych_ds_variable(question.id, question.ask.text));
   for (const Demographic& question : questionnaire_of(manifest).demographics)
-    variables.push_back(variable(question.id, question.ask.text));
+    variables.push_back(psych_ds_variable(question.id, question.ask.text));
   const Recruitment& recruitment = questionnaire_of(manifest).recruitment;
   for (const std::string& name : kept_parameters(recruitment))
-    variables.push_back(variable(parameter_column(name),
-                                 fmt::format("{} of the URL parameter {} of the participant's link",
-                                             recruitment.pseudonymise ? "hash" : "value", name)));
-  return {{"@context", "https://schema.org/"},
-          {"@type", "Dataset"},
-          {"name", title_of(manifest)},
-          {"description", fmt::format("Answers to the questionnaire of study {}: one row per "
-                                      "answer, and one row per participant.",
-                                      manifest.study)},
-          {"variableMeasured", variables}};
+    variables.push_back(psych_ds_variable(
+        parameter_column(name), fmt::format("{} of the URL parameter {} of the participant's link",
+                                            recruitment.pseudonymise ? "hash" : "value", name)));
+  return psych_ds_description(title_of(manifest),
+                              fmt::format("Answers to the questionnaire of study {}: one row per "
+                                          "answer, and one row per participant.",
+                                          manifest.study),
+                              variables);
 }
 
 std::string answers_readme() {

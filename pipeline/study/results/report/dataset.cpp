@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <set>
 #include <span>
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/base/documents/psych_ds.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/ratings/answers/trace_table.h"
@@ -49,13 +49,6 @@ constexpr auto stimulus_columns = table_of<ReportedStimulus>(
 /// A column of participant_form; nullptr for a demographic question.
 const Column* participant_column(std::string_view name) {
   return name == simulated_column.name ? &simulated_column : find_column(participant_form, name);
-}
-
-std::string alphanumeric(const std::string& text) {
-  std::string kept;
-  for (const char c : text)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) kept += c;
-  return kept.empty() ? "study" : kept;
 }
 
 /// The traces, with participants named as in the other tables.
@@ -129,19 +122,12 @@ std::string participants_csv(const CsvTable& table) {
   return writer.text();
 }
 
-/// A column as PropertyValue of schema.org.
-ordered_json variable_of(const Column& column) {
-  ordered_json variable = {
-      {"@type", "PropertyValue"}, {"name", column.name}, {"description", column.meaning}};
-  if (!column.unit.empty()) variable["unitText"] = column.unit;
-  return variable;
-}
-
 /// The columns of the data, each name once.
 class Variables {
  public:
   void add(const Column& column) {
-    if (names_.insert(std::string(column.name)).second) list_.push_back(variable_of(column));
+    if (names_.insert(std::string(column.name)).second)
+      list_.push_back(psych_ds_variable(column.name, column.meaning, column.unit));
   }
   void add(const std::string& name, const std::string& meaning) { add(Column{name, "", meaning}); }
   const ordered_json& list() const { return list_; }
@@ -172,17 +158,13 @@ Variables variables_of(const Results& results) {
 std::string description_of(const Results& results) {
   const AnswerSet& answer_set = results.answer_set;
   const std::string simulated = answer_set.simulated ? "SIMULATED answers: " : "";
-  ordered_json description = {
-      {"@context", "https://schema.org/"},
-      {"@type", "Dataset"},
-      {"name", answer_set.title},
-      {"description",
-       simulated + "answers to the questionnaire of study " + answer_set.study +
-           ", one row per answer, with the stimuli and participants. Derived tables and figures "
-           "are in results and figures; codebook.csv documents all columns."},
-      {"schemaVersion", "Psych-DS 0.4.0"},
-      {"keywords", {"questionnaire", "human motion", "ratings"}},
-      {"variableMeasured", variables_of(results).list()}};
+  ordered_json description = psych_ds_description(
+      answer_set.title,
+      simulated + "answers to the questionnaire of study " + answer_set.study +
+          ", one row per answer, with the stimuli and participants. Derived tables and figures are "
+          "in results and figures; codebook.csv documents all columns.",
+      variables_of(results).list());
+  description["keywords"] = {"questionnaire", "human motion", "ratings"};
   if (answer_set.simulated) description["keywords"].push_back("simulated");
   const auto replace = ordered_json::error_handler_t::replace;
   return description.dump(2, ' ', false, replace) + "\n";
@@ -243,9 +225,8 @@ std::string readme_of(const Results& results) {
 }  // namespace
 
 DatasetPaths dataset_paths(const std::string& study) {
-  const std::string begin = "data/study-" + alphanumeric(study) + "_description-";
-  return {begin + "answers_data.csv", begin + "stimuli_data.csv", begin + "participants_data.csv",
-          begin + "traces_data.csv"};
+  return {psych_ds_path(study, "answers"), psych_ds_path(study, "stimuli"),
+          psych_ds_path(study, "participants"), psych_ds_path(study, "traces")};
 }
 
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,

@@ -12,6 +12,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
+#include "pipeline/study/chains/experiment/chain_dataset.h"
 #include "pipeline/study/chains/experiment/chain_example.h"
 #include "pipeline/study/chains/experiment/simulated_chains.h"
 #include "pipeline/study/chains/experiment/word_prototypes.h"
@@ -430,6 +431,38 @@ TEST(ChainAnswers, OfMoreParticipantsThanPlannedAreOfTheSameDesign) {
   const ChainResults results = chain_results(
       example.study, read_back(example, simulated_chains(more, false, usual_truth(more))), {});
   EXPECT_EQ(results.words[0].chains, 9);
+}
+
+TEST(ChainDataset, HasEveryRowOnceAndDescribesItsColumns) {
+  const ChainExample example(checked_chains);
+  std::vector<ChainAnswer> answers = simulated(example);
+  const test::TemporaryFolder folder;
+  const auto first = folder.path() / "a.csv", second = folder.path() / "b.csv";
+  const std::string all = chain_steps_csv(answers, example.study.design);
+  write_file(first, all);
+  EXPECT_EQ(joined_steps_csv({first}), all);
+  EXPECT_EQ(joined_steps_csv({first, first}), all);
+  // In two files that overlap.
+  const std::vector<ChainAnswer> later(answers.begin() + 10, answers.end());
+  answers.resize(20);
+  write_file(first, chain_steps_csv(answers, example.study.design));
+  write_file(second, chain_steps_csv(later, example.study.design));
+  EXPECT_EQ(joined_steps_csv({first, second}), all);
+
+  const ChainResults results = results_of(example);
+  const auto files = chain_dataset("sad-walks 2", {first}, chain_tables(results), true);
+  ASSERT_EQ(files.size(), 3u);
+  EXPECT_EQ(files[0].first, "data/study-sadwalks2_description-steps_data.csv");
+  const auto description = nlohmann::json::parse(files[1].second);
+  EXPECT_EQ(description.at("@type"), "Dataset");
+  EXPECT_TRUE(description.at("description").get<std::string>().starts_with("SIMULATED"));
+  const CsvTable table = parse_csv(files[0].second, "steps.csv");
+  ASSERT_EQ(description.at("variableMeasured").size(), table.header.size());
+  for (std::size_t i = 0; i < table.header.size(); ++i)
+    EXPECT_EQ(description.at("variableMeasured")[i].at("name"), table.header[i].text);
+  // Everything else that lies at the top is named.
+  for (const WrittenTable& one : chain_tables(results))
+    EXPECT_NE(files[2].second.find(std::string(one.form.path) + "\n"), std::string::npos);
 }
 
 TEST(WordScales, AreInTheLanguagesOfThePages) {
