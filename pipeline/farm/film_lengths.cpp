@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/people.h"
 #include "pipeline/production/synthesis/motion_record.h"
 
 namespace mien::pipeline {
@@ -61,8 +60,9 @@ class Lengths {
  private:
   int found(const Stimulus& stimulus) {
     if (const auto frames = recorded_frames(stimulus.id, folder_)) return std::max(1, *frames);
-    const auto is_blended = [](const Stimulus* motion) { return is_blend(*motion); };
-    if (motions_ == nullptr || std::ranges::any_of(motions_in(stimulus), is_blended))
+    const auto is_blended = [](const auto& person) { return is_blend(person.motion); };
+    if (motions_ == nullptr || is_blend(stimulus) ||
+        std::ranges::any_of(stimulus.people, is_blended))
       return assumed_frames(stimulus.output);
     if (read_ == most_files_read) return static_cast<int>(frames_read_ / read_);
     const int frames = motions_->shown_frames(stimulus);
