@@ -278,6 +278,9 @@ TEST_F(MethodsQuestionnaire, SaysHowLevelsWereChosen) {
     expect_said(staircase, words);
   expect_said(methods_of_doses("same_different", "factor: dose, method: staircase, reversals: 8"),
               "it ended after 8 reversals, or 40 trials.");
+  expect_said(methods_of_doses("yes_no", "factor: dose, until: {sd: 0.2, at_most: 60}"),
+              "it ended after the first trial with a posterior standard deviation of the threshold "
+              "of at most 0.2, or 60 trials.");
 }
 
 TEST_F(MethodsQuestionnaire, CountsTrialsThatAreNotAnalysedOnEachScaleInTurn) {
