@@ -83,6 +83,26 @@ bool are_features(const std::vector<std::string>& names) {
   });
 }
 
+bool is_sound(const ModificationDimension& dimension) {
+  try {
+    check(dimension.recipe);
+  } catch (const Error&) {
+    return false;
+  }
+  constexpr double most = 1000.0;
+  return dimension.low < dimension.high && is_between(dimension.low, -most, most) &&
+         is_between(dimension.high, -most, most);
+}
+
+bool is_sound(const LiveModification& by, const std::vector<Example>& examples) {
+  if (by.empty()) return true;
+  const bool is_known = std::any_of(examples.begin(), examples.end(), [&](const Example& example) {
+    return example.name == by.original;
+  });
+  return is_known && std::all_of(by.dimensions.begin(), by.dimensions.end(),
+                                 [](const auto& dimension) { return is_sound(dimension); });
+}
+
 /// Whether motions can be made of what was read: what the code that makes them takes for granted
 /// holds.
 bool is_usable(const LiveBundle& bundle) {
@@ -97,7 +117,7 @@ bool is_usable(const LiveBundle& bundle) {
   return sound_examples && sound_targets && is_sound(bundle.adjectives, examples.size()) &&
          is_sound(bundle.features, examples.size()) && are_features(bundle.features.names) &&
          is_sound(bundle.how.weights) && is_between(bundle.frames_per_second, 1.0, 1000.0) &&
-         is_sound(bundle.playback);
+         is_sound(bundle.playback) && is_sound(bundle.modification, examples);
 }
 
 constexpr std::string_view magic = "MIENLIVE";
@@ -186,7 +206,21 @@ void target_parts(Bytes& bytes, T& target) {
   bytes.whole(target.shown_frames);
 }
 
-/// All parts except the examples' body, which is stored once.
+template <class Bytes, class M>
+void live_modification_parts(Bytes& bytes, M& modification) {
+  bytes.text(modification.original);
+  bytes.list(modification.dimensions, 200, [&](auto& dimension) {
+    bytes.text(dimension.name);
+    bytes.choice(dimension.value, 5);
+    modification_parts(bytes, dimension.recipe);
+    bytes.choice(dimension.unit, static_cast<int>(posture_units().size()));
+    bytes.number(dimension.low);
+    bytes.number(dimension.high);
+  });
+}
+
+/// All parts except the modification, which not all bundles have, and the examples' body, which is
+/// stored once.
 template <class Bytes, class B>
 void bundle_parts(Bytes& bytes, B& bundle) {
   bytes.text(bundle.info);
@@ -208,6 +242,7 @@ std::string to_bytes(const LiveBundle& bundle) {
   ByteWriter body;
   skeleton_parts(body, bundle.examples.examples.front().clip.body);
   bundle_parts(body, bundle);
+  if (!bundle.modification.empty()) live_modification_parts(body, bundle.modification);
   ByteWriter head;
   head.whole(live_bundle_version);
   head.whole(0);
@@ -237,7 +272,10 @@ LiveBundle parse_live_bundle(std::string_view bytes) {
   Skeleton skeleton;
   skeleton_parts(reader, skeleton);
   bundle_parts(reader, bundle);
-  if (reader.remaining() > 0) ByteReader::refuse();
+  if (reader.remaining() > 0) {
+    live_modification_parts(reader, bundle.modification);
+    if (bundle.modification.empty() || reader.remaining() > 0) ByteReader::refuse();
+  }
   for (Example& example : bundle.examples.examples) example.clip.body = skeleton;
   if (!is_usable(bundle)) ByteReader::refuse();
   return bundle;

@@ -8,6 +8,7 @@
 
 #include "motion/interpolation/parameter_table.h"
 #include "motion/interpolation/synthesis_options.h"
+#include "motion/live/live_modification.h"
 #include "motion/live/synthesis.h"
 #include "motion/measures/features/feature_scale.h"
 #include "motion/skeleton/example.h"
@@ -35,6 +36,7 @@ struct LiveBundle {
   double frames_per_second = 30.0;
   Playback playback;  ///< as for the clip files of synthesized motions
   std::vector<LiveTarget> targets;
+  LiveModification modification;  ///< may be empty
 };
 
 /// Version of the binary layout.
@@ -42,7 +44,7 @@ inline constexpr int live_bundle_version = 1;
 
 /// The binary form of a bundle: "MIENLIVE", the version of the layout, the length and checksum of
 /// the bytes that follow, and these bytes; little endian, doubles exact. The same bundle always
-/// produces the same bytes.
+/// produces the same bytes. Recipes must not have a pose difference.
 std::string to_bytes(const LiveBundle& bundle);
 
 /// Parses a bundle. Throws Error if the bytes are not a bundle, are of another version, truncated

@@ -21,17 +21,12 @@ std::size_t index_of_example(std::string_view name, const ExampleSet& set) {
               "name one of the set's examples");
 }
 
-void check_values(const LiveSetting& setting) {
+/// Whether there is a value for each slider, and each slider once.
+void check_sliders(const LiveSetting& setting) {
   if (setting.sliders.size() != setting.values.size()) {
     throw Error("there are " + std::to_string(setting.sliders.size()) + " sliders and " +
                     std::to_string(setting.values.size()) + " values",
                 "give one value per slider");
-  }
-  for (std::size_t i = 0; i < setting.sliders.size(); ++i) {
-    const double value = setting.values[i];
-    if (value >= 0.0 && value <= 1.0) continue;
-    throw Error("slider \"" + setting.sliders[i] + "\" is not between 0 and 1",
-                "give a value from 0 to 1");
   }
   std::vector<std::string> names = setting.sliders;
   std::sort(names.begin(), names.end());
@@ -39,6 +34,37 @@ void check_values(const LiveSetting& setting) {
   if (twin != names.end()) {
     throw Error("slider \"" + *twin + "\" appears twice", "give each slider once");
   }
+}
+
+void check_values(const LiveSetting& setting) {
+  check_sliders(setting);
+  for (std::size_t i = 0; i < setting.sliders.size(); ++i) {
+    const double value = setting.values[i];
+    if (value >= 0.0 && value <= 1.0) continue;
+    throw Error("slider \"" + setting.sliders[i] + "\" is not between 0 and 1",
+                "give a value from 0 to 1");
+  }
+}
+
+/// The values of all dimensions.
+std::vector<double> placed_modifications(const LiveSetting& setting, const LiveModification& by) {
+  check_sliders(setting);
+  std::vector<double> point;
+  for (const ModificationDimension& dimension : by.dimensions)
+    point.push_back(neutral_value(dimension.value));
+  for (std::size_t i = 0; i < setting.sliders.size(); ++i) {
+    const auto found =
+        std::find_if(by.dimensions.begin(), by.dimensions.end(),
+                     [&](const auto& dimension) { return dimension.name == setting.sliders[i]; });
+    if (found == by.dimensions.end())
+      throw Error("there is no modification \"" + setting.sliders[i] + "\"",
+                  "name a dimension of the recipe");
+    if (!(setting.values[i] >= found->low && setting.values[i] <= found->high))
+      throw Error("slider \"" + setting.sliders[i] + "\" is not within its limits",
+                  "give a value within them");
+    point[static_cast<std::size_t>(found - by.dimensions.begin())] = setting.values[i];
+  }
+  return point;
 }
 
 /// An interface and where its sliders stand.
@@ -111,7 +137,18 @@ const FittedInterface& LiveCore::fitted(const SliderInterface& interface) {
   return fitted_.emplace(std::move(key), std::move(made)).first->second;
 }
 
+LiveMotion LiveCore::modified(const LiveSetting& setting) {
+  const LiveModification& by = bundle_.modification;
+  const std::vector<double> point = placed_modifications(setting, by);
+  if (by.empty()) throw Error("no motion is modified here", "use another interface");
+  if (!original_) original_ = example(by.original).motion;
+  LiveMotion made{modified_at(*original_, by, point), {}, {}};
+  made.plants = foot_plants(made.motion.clip);
+  return made;
+}
+
 LiveMotion LiveCore::make(const LiveSetting& setting) {
+  if (setting.kind == InterfaceKind::modifications) return modified(setting);
   const Placed placed = placed_sliders(setting, bundle_.examples);
   const FittedInterface& interface = fitted(placed.interface);
   return as_live(synthesize_for(interface, placed.settings, context(),

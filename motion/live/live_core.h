@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,10 @@ namespace mien::motion {
 /// The slider values of an interface.
 struct LiveSetting {
   InterfaceKind kind = InterfaceKind::adjectives;
-  std::vector<std::string> sliders;  ///< names of sliders; weights that are not named are 0
-  std::vector<double> values;        ///< 0 to 1, one per slider
+  /// Names of sliders; weights that are not named are 0, and modifications are as the motion is.
+  std::vector<std::string> sliders;
+  /// One per slider: 0 to 1; of modifications within the limits of their dimensions.
+  std::vector<double> values;
 };
 
 /// A motion to be shown; of a loop, one cycle.
@@ -41,7 +44,7 @@ class LiveCore {
   LiveMotion target(std::string_view name) const;
 
   /// The motion for a setting, as for a stimulus with the same request. Throws Error for an unknown
-  /// or repeated slider, a value outside 0 to 1, or more parameters than the method supports.
+  /// or repeated slider, a value outside its limits, or more parameters than the method supports.
   LiveMotion make(const LiveSetting& setting);
 
   /// The distance between a target and the motion for a setting, as measured by `mien motion
@@ -51,11 +54,13 @@ class LiveCore {
  private:
   const FittedInterface& fitted(const SliderInterface& interface);
   SynthesisContext context() const;
+  LiveMotion modified(const LiveSetting& setting);
   const LiveTarget& find_target(std::string_view name) const;
   const Example& compared_target(std::string_view name);
 
   const LiveBundle& bundle_;
   std::map<std::vector<std::string>, FittedInterface> fitted_;  ///< by kind and sliders
+  std::optional<Example> original_;                             ///< of modifications
   std::map<std::string, Example, std::less<>> compared_;        ///< targets prepared for comparison
 };
 

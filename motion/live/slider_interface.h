@@ -15,18 +15,20 @@
 namespace mien::motion {
 
 // Interfaces for creating motions: sliders for adjectives, for features, or for the weights of the
-// examples. A stimulus that specifies parameters corresponds to one setting of such sliders.
+// examples, or for modifications of one motion (live_modification.h). A stimulus that specifies
+// parameters corresponds to one setting of such sliders.
 
-enum class InterfaceKind { adjectives, features, weights };
+enum class InterfaceKind { adjectives, features, weights, modifications };
 
 inline constexpr mien::Words<InterfaceKind> interface_kinds = {
     {"adjectives", InterfaceKind::adjectives},
     {"features", InterfaceKind::features},
-    {"weights", InterfaceKind::weights}};
+    {"weights", InterfaceKind::weights},
+    {"modifications", InterfaceKind::modifications}};
 
 inline const char* name_of(InterfaceKind kind) { return word_of(interface_kinds, kind).data(); }
 
-/// The sliders of an interface, from 0 to 1.
+/// The sliders of an interface whose motions are blends, from 0 to 1; not of modifications.
 struct SliderInterface {
   InterfaceKind kind = InterfaceKind::adjectives;
   std::vector<std::string> sliders;  ///< names; for weights all examples in their order

@@ -14,7 +14,9 @@
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/checks/take_checks.h"
+#include "pipeline/manifest/reading/levelled_document.h"
 #include "pipeline/manifest/repetitions.h"
+#include "pipeline/manifest/stimulus_level.h"
 #include "pipeline/production/design/design_findings.h"
 #include "pipeline/production/run/continuous_films.h"
 #include "pipeline/production/run/rehearsal.h"
@@ -40,6 +42,7 @@ struct Findings {
   std::vector<Fault> faults;
   std::vector<Fault> warnings;                ///< of a manifest without faults
   std::vector<RequestedParameter> requested;  ///< of a manifest without faults
+  std::vector<std::string> levels;            ///< levels_made
   std::size_t stimuli = 0;
   std::size_t rehearsed = 0;  ///< stimuli whose motions were made
 };
@@ -66,6 +69,7 @@ class JsonFindings {
       result_["notes"].push_back({{"file", file}, {"text", text}});
     };
     if (const std::string sample = sample_note(findings); !sample.empty()) note(sample);
+    for (const std::string& levels : findings.levels) note(levels);
     for (const RequestedParameter& parameter : findings.requested) note(to_sentence(parameter));
   }
 
@@ -113,17 +117,21 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
     findings.faults = in_reading_order(std::move(findings.faults));
     return findings;
   }
+  findings.levels = levels_made(reading.manifest);
   append(findings.warnings, reading.manifest.renamed);
   append(findings.warnings, default_take_warnings(reading.manifest));
+  std::vector<Fault> repeated;
   for (const Repetition& repetition : repetitions_in(reading.manifest))
-    findings.warnings.push_back(repetition_fault(repetition, reading.manifest.places));
+    repeated.push_back(repetition_fault(repetition, reading.manifest.places));
+  append(findings.warnings, with_written_paths(std::move(repeated), reading.manifest.origins));
   for (Fault& warning : questionnaire_warnings(reading.manifest))
     findings.warnings.push_back(std::move(warning));
   if (options.quick) return findings;
   const Manifest rehearsed = rehearsal_sample(
       reading.manifest, options.thorough ? reading.manifest.stimuli.size() : most_rehearsed);
   Motions motions(rehearsed);
-  findings.faults = rehearse(rehearsed, motions);
+  const std::vector<std::size_t>& origins = reading.manifest.origins;
+  findings.faults = with_written_paths(rehearse(rehearsed, motions), origins);
   findings.stimuli = reading.manifest.stimuli.size();
   findings.rehearsed = rehearsed.stimuli.size();
   if (!findings.faults.empty()) return findings;
@@ -131,9 +139,11 @@ Findings findings_in(const std::string& file, const CheckOptions& options) {
     findings.faults = continuous_film_faults(rehearsed, video_seconds(rehearsed, motions));
   if (!findings.faults.empty()) return findings;
   findings.requested = requested_parameters(reading.manifest, motions);
+  std::vector<Fault> of_design;
   for (const DesignWarning& warning :
        design_warnings(rehearsed, planned_design(rehearsed, motions)))
-    findings.warnings.push_back(design_fault(warning, reading.manifest.places));
+    of_design.push_back(design_fault(warning, reading.manifest.places));
+  append(findings.warnings, with_written_paths(std::move(of_design), origins));
   return findings;
 }
 
@@ -141,6 +151,7 @@ void print_result(const Findings& findings, const std::string& file, const Conso
   if (!findings.faults.empty()) console.err << fault_lines(findings.faults) << '\n';
   print_warnings(findings.warnings, console);
   if (findings.faults.empty()) console.out << file << ": no faults\n";
+  for (const std::string& levels : findings.levels) console.out << levels << '\n';
   if (const std::string note = sample_note(findings); !note.empty()) console.out << note << '\n';
   console.out << feasibility_table(findings.requested);
 }

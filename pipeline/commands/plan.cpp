@@ -8,6 +8,7 @@
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
 #include "pipeline/manifest/repetitions.h"
+#include "pipeline/manifest/stimulus_level.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/production/synthesis/parameter_request.h"
 #include "pipeline/tasks/progress.h"
@@ -52,6 +53,7 @@ void show_json(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                {"folder", folder},
                                {"cost_s", cost_of(graph, planned)},
                                {"tasks", tasks},
+                               {"levels", levels_made(manifest)},
                                {"adjectives", sentences(requested_parameters(manifest))},
                                {"warnings", repetition_warnings(manifest)},
                                {"stale", stale}};
@@ -67,6 +69,7 @@ void show_table(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
   }
   console.out << fmt::format("estimated time on one processor ([h:]min:s): {}\n",
                              as_duration(cost_of(graph, planned)));
+  for (const std::string& levels : levels_made(manifest)) console.out << levels << '\n';
   console.out << feasibility_table(requested_parameters(manifest));
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/manifest/questionnaire.h"
+#include "pipeline/manifest/recipe_space.h"
 
 namespace mien::pipeline {
 
@@ -22,31 +23,34 @@ inline constexpr Words<StepAggregate> step_aggregate_words = {{"median", StepAgg
                                                               {"mean", StepAggregate::mean}};
 
 /// The dimensions in which motions vary, all of one kind: groups of scales, rated scales, motion
-/// features, weights of examples, or principal components of the examples' features.
+/// features, weights of examples, principal components of the examples' features, or modifications
+/// of one motion.
 struct MotionSpace {
-  enum class Kind { groups, scales, features, weights, components };
+  enum class Kind { groups, scales, features, weights, components, recipe };
 
   Kind kind = Kind::groups;
-  std::vector<std::string> names;  ///< empty: all of that kind; components have none
+  std::vector<std::string> names;  ///< empty: all of that kind; components and recipes have none
   int components = 0;              ///< number of components
+  RecipeSpace recipe;              ///< of modifications only
 
   friend bool operator==(const MotionSpace&, const MotionSpace&) = default;
 };
 
 inline constexpr Words<MotionSpace::Kind> space_words = {
-    {"groups", MotionSpace::Kind::groups},
-    {"scales", MotionSpace::Kind::scales},
-    {"features", MotionSpace::Kind::features},
-    {"weights", MotionSpace::Kind::weights},
-    {"components", MotionSpace::Kind::components}};
+    {"groups", MotionSpace::Kind::groups},         {"scales", MotionSpace::Kind::scales},
+    {"features", MotionSpace::Kind::features},     {"weights", MotionSpace::Kind::weights},
+    {"components", MotionSpace::Kind::components}, {"recipe", MotionSpace::Kind::recipe}};
 
 /// `space: {groups: all}`, `space: {features: [step-length, head-tilt]}`,
-/// `space: {components: 3}`.
+/// `space: {components: 3}`, `space: {recipe: {of: normal, emotions: {sad: [0, 1.5]}}}`.
 struct MotionSpaceForm {
   static void read(const DocumentValue& given, MotionSpace& space);
   static nlohmann::ordered_json write(const MotionSpace& space, const WritingOptions& how);
   static void walk(auto& names) {
-    for (const auto& [word, kind] : space_words) names.add(word);
+    for (const auto& [word, kind] : space_words)
+      if (kind != MotionSpace::Kind::recipe) names.add(std::string(word));
+    RecipeSpace recipe;
+    names("recipe", recipe, concerns::nothing);
   }
 };
 

@@ -117,16 +117,21 @@ double threshold_proportion(const AdaptiveTrialSettings& adaptive) {
   return adaptive.method == AdaptiveMethod::staircase ? staircase_proportion(adaptive) : usual;
 }
 
+int most_track_trials(const AdaptiveTrialSettings& adaptive) {
+  return adaptive.until ? adaptive.until->at_most : adaptive.trials;
+}
+
 int adaptive_noise_trials(const Questionnaire& asked) {
   if (asked.trials == &two_interval_form) return 0;
   const AdaptiveTrialSettings& adaptive = asked.adaptive;
-  const double track_trials = 1.0 * adaptive.tracks * adaptive.trials;
+  const double track_trials = 1.0 * adaptive.tracks * most_track_trials(adaptive);
   return std::max(
       1, static_cast<int>(std::lround(adaptive.noise / (1.0 - adaptive.noise) * track_trials)));
 }
 
 int adaptive_session_trials(const Questionnaire& asked) {
-  return asked.adaptive.tracks * asked.adaptive.trials + adaptive_noise_trials(asked);
+  const int of_tracks = asked.adaptive.tracks * most_track_trials(asked.adaptive);
+  return of_tracks + adaptive_noise_trials(asked);
 }
 
 }  // namespace mien::pipeline

@@ -48,10 +48,13 @@ double staircase_proportion(const AdaptiveTrialSettings& adaptive);
 /// The probability of positive answers at the threshold.
 double threshold_proportion(const AdaptiveTrialSettings& adaptive);
 
+/// The greatest number of trials of a track.
+int most_track_trials(const AdaptiveTrialSettings& adaptive);
+
 /// The number of trials without the signal in a session, at least 1; 0 in two-interval trials.
 int adaptive_noise_trials(const Questionnaire& asked);
 
-/// The number of trials of a session, those without the signal among them.
+/// The greatest number of trials of a session, those without the signal among them.
 int adaptive_session_trials(const Questionnaire& asked);
 
 }  // namespace mien::pipeline

@@ -37,6 +37,7 @@ Names known_dimensions(const Manifest& manifest, MotionSpace::Kind kind) {
       names = example_names_if_known(manifest);
       break;
     case MotionSpace::Kind::components:
+    case MotionSpace::Kind::recipe:
       break;
   }
   return names;
@@ -47,6 +48,11 @@ Names dimension_names(const Manifest& manifest) {
   if (space.kind == MotionSpace::Kind::components) {
     Names names;
     for (int i = 1; i <= space.components; ++i) names.push_back("component-" + std::to_string(i));
+    return names;
+  }
+  if (space.kind == MotionSpace::Kind::recipe) {
+    Names names;
+    for (const auto& [name, limits] : dimensions_of(space.recipe)) names.push_back(name);
     return names;
   }
   if (!space.names.empty()) return space.names;

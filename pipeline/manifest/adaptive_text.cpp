@@ -78,7 +78,12 @@ std::string level_rule_text(const Manifest& manifest) {
 }
 
 std::string track_end_text(const AdaptiveTrialSettings& adaptive) {
-  const std::string trials = count_text(adaptive.trials, "trial");
+  const std::string trials = count_text(most_track_trials(adaptive), "trial");
+  if (adaptive.until)
+    return fmt::format(
+        "the first trial with a posterior standard deviation of the threshold of at most {:g}, or "
+        "{}",
+        adaptive.until->sd, trials);
   if (adaptive.reversals == 0) return trials;
   return fmt::format("{}, or {}", count_text(adaptive.reversals, "reversal"), trials);
 }

@@ -18,7 +18,8 @@ std::string positive_answers_text(const TrialForm& form);
 /// The rule by which levels are chosen, without its full stop.
 std::string level_rule_text(const Manifest& manifest);
 
-/// When a track ends: "40 trials", "10 reversals, or 60 trials"
+/// When a track ends: "40 trials", "10 reversals, or 60 trials", "the first trial with a posterior
+/// standard deviation of the threshold of at most 0.05, or 60 trials"
 std::string track_end_text(const AdaptiveTrialSettings& adaptive);
 
 /// The design of the sessions in sentences: levels, tracks, rule and end.

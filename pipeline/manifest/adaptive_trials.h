@@ -49,18 +49,34 @@ struct StaircaseStepsForm {
   }
 };
 
+/// When a track of QUEST+ ends.
+struct TrackStop {
+  /// As soon as the posterior standard deviation of the threshold is at most this, in units of the
+  /// factor.
+  double sd = 0.0;
+  int at_most = 40;  ///< or after so many trials
+
+  friend bool operator==(const TrackStop&, const TrackStop&) = default;
+};
+
+void fields_of(auto&& field, MaybeConst<TrackStop> auto& stop) {
+  field("sd", stop.sd, concerns::required);
+  field("at_most", stop.at_most, concerns::required);
+}
+
 /// Adaptive trials: the level of a factor that each trial shows depends on the participant's
 /// answers so far. The films of all levels are made beforehand (adaptive_levels.h).
 struct AdaptiveTrialSettings {
   AdaptiveMethod method = AdaptiveMethod::quest;
   std::string factor;  ///< its levels are numbers; empty: trials are not adaptive
   LevelDirection easier = LevelDirection::rising;
-  int trials = 40;     ///< of each track; with reversals, at most
+  int trials = 40;     ///< of each track; with reversals, at most; not with `until`
   int tracks = 1;      ///< interleaved, each with answers of its own
   double noise = 0.2;  ///< of yes–no and same–different trials: the share without the signal
   /// The probability of positive answers at the threshold; unset: that to which a staircase
   /// converges, otherwise 0.75.
   std::optional<double> proportion;
+  std::optional<TrackStop> until;  ///< of QUEST+; unset: all trials are shown
   // Of staircases:
   int up = 1;           ///< negative answers in succession to an easier level
   int down = 2;         ///< positive answers in succession to a harder level
@@ -69,6 +85,8 @@ struct AdaptiveTrialSettings {
   StaircaseStart start = StaircaseStart::easiest;
 
   bool empty() const { return factor.empty(); }
+  /// Whether tracks may end before the greatest number of trials.
+  bool may_end_early() const { return until || reversals > 0; }
   friend bool operator==(const AdaptiveTrialSettings&, const AdaptiveTrialSettings&) = default;
 };
 
@@ -80,6 +98,7 @@ void fields_of(auto&& field, MaybeConst<AdaptiveTrialSettings> auto& adaptive) {
   field("tracks", adaptive.tracks, concerns::nothing);
   field("noise", adaptive.noise, concerns::nothing);
   field("proportion", adaptive.proportion, concerns::nothing);
+  field("until", adaptive.until, concerns::nothing);
   field("up", adaptive.up, concerns::nothing);
   field("down", adaptive.down, concerns::nothing);
   field.by("step", adaptive.step, concerns::nothing, StaircaseStepsForm());

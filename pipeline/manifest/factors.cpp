@@ -14,11 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string text_of(const json& level) {
-  if (level.is_string()) return level.get<std::string>();
-  return level.is_number_float() ? shortest(level.get<double>()) : level.dump();
-}
-
 bool has(const Factors& factors, const std::string& name) {
   return std::ranges::find(factors, name, &Factors::value_type::first) != factors.end();
 }
@@ -43,12 +38,17 @@ Factors plain_levels(const Stimulus& stimulus) {
 
 }  // namespace
 
+std::string level_text(const json& level) {
+  if (level.is_string()) return level.get<std::string>();
+  return level.is_number_float() ? shortest(level.get<double>()) : level.dump();
+}
+
 void FactorsForm::read(const DocumentValue& given, Factors& factors) {
   if (!given.value.is_object()) return;
   factors.clear();
   for (const std::string& name : written_order(given.value, given.path, given.context.places)) {
     const json& level = given.value[name];
-    if (level.is_primitive() && !level.is_null()) factors.emplace_back(name, text_of(level));
+    if (level.is_primitive() && !level.is_null()) factors.emplace_back(name, level_text(level));
   }
 }
 

@@ -16,6 +16,9 @@ struct Stimulus;
 /// Factor of the design → its level, in the order of the manifest: {actor: k, emotion: sad}.
 using Factors = std::vector<std::pair<std::string, std::string>>;
 
+/// A level as text: that of a number is its shortest notation.
+std::string level_text(const nlohmann::json& level);
+
 /// `factors:`, whose levels may be texts, numbers or booleans.
 struct FactorsForm {
   static void read(const DocumentValue& given, Factors& factors);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -123,6 +124,9 @@ struct Manifest {
   std::optional<Matching> matching;
   std::optional<Adaptive> adaptive;
   Places places;
+  /// For each stimulus, the place among those of the document of the one that it was made from, if
+  /// any of them has `levels:`; otherwise empty.
+  std::vector<std::size_t> origins;
   std::vector<Fault> renamed;  ///< warnings about keys with deprecated names
 };
 

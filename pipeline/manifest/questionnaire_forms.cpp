@@ -2,6 +2,7 @@
 
 #include "pipeline/base/reading/field_reader.h"
 #include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/factors.h"
 
 namespace mien::pipeline {
 
@@ -22,7 +23,15 @@ void read_member(const DocumentValue& given, const char* key, auto& value) {
 
 void StimulusChoiceForm::read(const DocumentValue& given, StimulusChoice& choice) {
   pipeline::read(given, choice.ids);
-  pipeline::read(given, choice.levels);
+  if (!given.value.is_object()) return;
+  choice.levels.clear();
+  for (const std::string& factor : written_order(given.value, given.path, given.context.places)) {
+    std::vector<std::string>& levels =
+        choice.levels.emplace_back(factor, std::vector<std::string>()).second;
+    if (!given.value[factor].is_array()) continue;
+    for (const nlohmann::json& level : given.value[factor])
+      if (level.is_primitive() && !level.is_null()) levels.push_back(level_text(level));
+  }
 }
 
 OrderedJson StimulusChoiceForm::write(const StimulusChoice& choice, const WritingOptions& how) {

@@ -20,6 +20,7 @@
 #include "pipeline/manifest/output.h"
 #include "pipeline/manifest/recording_choice.h"
 #include "pipeline/manifest/regression_limits.h"
+#include "pipeline/manifest/stimulus_level.h"
 #include "pipeline/manifest/stimulus_sound.h"
 #include "pipeline/manifest/walk_path.h"
 #include "scenes/figures/figure_colour.h"
@@ -116,6 +117,7 @@ struct Stimulus {
   std::string id;    ///< safe as a file name
   Role role = Role::created;
   Factors factors;         ///< stated factors of the design (levels_of returns all)
+  StimulusLevel level;     ///< if it was made from a stimulus with `levels:`
   NamedValues adjectives;  ///< parameter → 0…1
   Hold hold;               ///< held parameters, only with `adjectives`
   NamedValues features;    ///< feature parameter → 0…1 (feature_parameters.h)
@@ -196,6 +198,7 @@ void fields_of(auto&& field, MaybeConst<Stimulus> auto& stimulus) {
   field("look", stimulus.look, concerns::picture);
   field("output", stimulus.output, concerns::nothing);
   field.by("factors", stimulus.factors, concerns::page, FactorsForm());
+  field.by("levels", stimulus.level, concerns::nothing, StimulusLevelForm());
   field("regression", stimulus.regression, concerns::nothing);
   if (stimulus.foil) return;
   motion_fields(field, stimulus);

@@ -445,6 +445,40 @@ TEST(CommandLine, PlanTellsWhatARunThenDoes) {
             "film:b cached\ntables due\nfilms waiting\ndesign waiting\nreport waiting\n");
 }
 
+TEST(CommandLine, LevelsOfANumberAreToldAndMadeAsIfTheyWereListed) {
+  const Scratch scratch;
+  std::string levels(small_manifest), listed = levels;
+  levels +=
+      "  - {id: sad, weights: {normal: 1}, modify: {emotion: sad, variation: 0.3}, levels: "
+      "{factor: "
+      "dose, of: modify.strength, values: {from: 0, to: 0.6, steps: 3}}}\n";
+  for (const char* level : {"0", "0.3", "0.6"})
+    listed += "  - {id: sad-" + std::string(level) + ", factors: {dose: " + level +
+              "}, weights: {normal: 1}, modify: {emotion: sad, variation: 0.3, strength: " + level +
+              "}}\n";
+  const std::string file = scratch.write("m.yaml", levels).string();
+  const std::string told = "sad: 3 levels of dose (modify.strength): 0, 0.3, 0.6\n";
+  for (const char* command : {"check", "plan"})
+    EXPECT_TRUE(contains(run_mien({command, file}).output, told)) << command;
+  EXPECT_EQ(json::parse(run_mien({"plan", file, "--json"}).output).at("levels").size(), 1u);
+  const fs::path one = scratch.path() / "one", other = scratch.path() / "other";
+  EXPECT_EQ(run_mien({"run", file, "--out", one.string()}).code, 0);
+  EXPECT_EQ(
+      run_mien({"run", scratch.write("l.yaml", listed).string(), "--out", other.string()}).code, 0);
+  for (const char* id : {"sad-0", "sad-0.3", "sad-0.6"}) {
+    const std::string clip = "small/clips/" + std::string(id) + ".bvh";
+    EXPECT_EQ(text_of(one / clip), text_of(other / clip)) << id;
+  }
+  // At a strength of 0 the motion is the unmodified one.
+  EXPECT_EQ(text_of(one / "small/clips/sad-0.bvh"), text_of(one / "small/clips/a.bvh"));
+  EXPECT_NE(text_of(one / "small/clips/sad-0.3.bvh"), text_of(one / "small/clips/a.bvh"));
+  // The record makes the same again.
+  const fs::path again = scratch.path() / "again";
+  EXPECT_EQ(
+      run_mien({"run", (one / "small/provenance.json").string(), "--out", again.string()}).code, 0);
+  EXPECT_EQ(text_of(again / "small/clips/sad-0.3.bvh"), text_of(one / "small/clips/sad-0.3.bvh"));
+}
+
 TEST(CommandLine, RunSpeaksJsonOnStandardOutput) {
   const Scratch scratch;
   const std::string manifest = scratch.write("m.yaml", small_manifest).string();

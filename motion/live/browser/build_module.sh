@@ -10,7 +10,7 @@ out=$(CDPATH='' cd -- "$1" && pwd)
 eigen=${EIGEN_INCLUDE:-/usr/include/eigen3}
 
 # Rooms that go in whole, and files of others: what reads, writes or searches files stays out.
-rooms='biomechanics gait interpolation live live/browser math rig skeleton'
+rooms='biomechanics dynamics gait gestures interpolation live live/browser math modify rig skeleton'
 files='error.cpp
   examples/compared_example.cpp examples/make_example.cpp examples/settled_feet.cpp
   formats/bvh/bvh_as_read.cpp formats/bvh/bvh_rotation.cpp formats/reading/frame_rate.cpp

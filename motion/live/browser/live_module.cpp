@@ -49,7 +49,7 @@ int live_open(const char* bytes, std::size_t size) {
 char* live_room(std::size_t size) { return static_cast<char*>(::operator new(size, std::nothrow)); }
 void live_leave(char* room) { ::operator delete(room); }
 
-/// Begins a setting: 0 adjectives, 1 features, 2 weights.
+/// Begins a setting: 0 adjectives, 1 features, 2 weights, 3 modifications.
 void live_set(int kind) { setting = {static_cast<InterfaceKind>(kind), {}, {}}; }
 void live_slider(const char* name, std::size_t size, double value) {
   setting.sliders.emplace_back(name, size);

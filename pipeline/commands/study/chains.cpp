@@ -100,9 +100,12 @@ std::vector<NewTable> prototype_files(const Manifest& manifest, const ChainStudy
       prototype_manifest(manifest, study, results, fs::absolute(folder / "words.scales.yaml"));
   std::string comment = prototypes_comment;
   comment += results.simulated ? " from simulated answers.\n" : ".\n";
-  return {{folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)},
-          {folder / "words.scales.yaml", to_yaml(scales, head)},
-          {folder / "words.ratings.csv", word_ratings_csv(study, results, scales)}};
+  std::vector<NewTable> files = {
+      {folder / "prototypes.yaml", comment + manifest_yaml(prototypes, folder)},
+      {folder / "words.scales.yaml", to_yaml(scales, head)}};
+  if (study.dimensions.kind != motion::InterfaceKind::modifications)
+    files.push_back({folder / "words.ratings.csv", word_ratings_csv(study, results, scales)});
+  return files;
 }
 
 /// Throws Error for a folder with files that an earlier analysis has not written.
@@ -171,7 +174,8 @@ Command study_chains_command() {
           "the figures chains, prototypes and densities as .pdf, .svg and .png, and what manifests "
           "take:\n"
           "words.scales.yaml and words.ratings.csv for examples, so that stimuli can have "
-          "adjectives: {sad: 0.8},\n"
+          "adjectives: {sad: 0.8}\n"
+          "(not of modifications of one motion), "
           "and prototypes.yaml, which makes a film of each word and asks for ratings of them.\n\n"
           "Examples:\n"
           "  mien study simulate gibbs-words -o steps.csv\n"

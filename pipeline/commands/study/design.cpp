@@ -148,10 +148,16 @@ std::optional<PlannedTestsResult> planned_tests_of(const DesignCommand& command,
                                 manifest, console);
 }
 
-void print_duration(const std::vector<SessionPlan>& plans, const Console& console,
-                    std::ostream& out) {
+/// "at most " if tracks may end before all planned trials were shown.
+std::string bound_text(const Manifest& manifest) {
+  return questionnaire_of(manifest).adaptive.may_end_early() ? "at most " : "";
+}
+
+void print_duration(const Manifest& manifest, const std::vector<SessionPlan>& plans,
+                    const Console& console, std::ostream& out) {
   const auto longest = std::ranges::max_element(plans, {}, &SessionPlan::expected_seconds);
-  out << "Expected duration of a session: " << duration_text(plans) << ".\n";
+  out << "Expected duration of a session: " << bound_text(manifest) << duration_text(plans)
+      << ".\n";
   if (longest->expected_seconds <= recommended_session_seconds) return;
   console.err << "warning: a session of more than "
               << fmt::format("{:g} min", recommended_session_seconds / 60.0)
@@ -188,12 +194,13 @@ std::string trials_text(const std::vector<SessionPlan>& plans) {
 
 void print_design(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                   const Balance& balance, const Console& console, std::ostream& out) {
-  out << fmt::format("{}: {}, {}\n", manifest.study,
-                     counted_noun(plans.size(), "participant", "participants"), trials_text(plans));
+  out << fmt::format("{}: {}, {}{}\n", manifest.study,
+                     counted_noun(plans.size(), "participant", "participants"),
+                     bound_text(manifest), trials_text(plans));
   for (const std::string& sentence :
        balance_sentences(manifest, balance, static_cast<int>(plans.size())))
     out << sentence << '\n';
-  print_duration(plans, console, out);
+  print_duration(manifest, plans, console, out);
 }
 
 /// Input files of the tables and the archive, which must not be overwritten.

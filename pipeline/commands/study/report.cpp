@@ -219,8 +219,8 @@ SessionPeople people_of_sessions(const AnswerInputs& inputs, const Manifest& man
 /// Number of trials of each session plan.
 std::map<std::uint64_t, int> planned_trials(const Manifest& manifest) {
   std::map<std::uint64_t, int> planned;
-  // Tracks that end with reversals have no fixed number of trials.
-  if (questionnaire_of(manifest).adaptive.reversals > 0) return planned;
+  // Tracks that end by their answers have no fixed number of trials.
+  if (questionnaire_of(manifest).adaptive.may_end_early()) return planned;
   for (const SessionPlan& plan : plan_sessions(manifest))
     planned[plan.seed] = static_cast<int>(plan.trials.size());
   return planned;

@@ -5,15 +5,21 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "motion/error.h"
+#include "motion/modify/posture.h"
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/adaptive_plan.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/reading/recipes.h"
 
 namespace mien::pipeline {
 
 namespace {
 
 using Kind = MotionSpace::Kind;
+using Names = std::vector<std::string>;
 
 /// Bounds of the work that an experiment asks of one participant and of all.
 constexpr double max_trials = 2000;
@@ -54,11 +60,12 @@ class AdaptiveExperimentCheck {
               given.empty()
                   ? "no dimensions"
                   : fmt::format("dimensions of several kinds: {}", fmt::join(given, ", ")),
-              "name one of groups, scales, features, weights and components");
+              "name one of groups, scales, features, weights, components and recipe");
   }
 
   void check_dimensions() {
     const MotionSpace& space = adaptive_.space;
+    if (space.kind == Kind::recipe) return check_recipe(space.recipe);
     const std::string key(word_of(space_words, space.kind));
     const std::string path = member_path(at("space"), key);
     const std::vector<std::string> known = known_dimensions(manifest_, space.kind);
@@ -75,6 +82,67 @@ class AdaptiveExperimentCheck {
     if (space.kind == Kind::weights && space.names.size() == 1)
       list_.add(path, "the weight of a single example changes nothing",
                 "name two examples or more");
+  }
+
+  void check_recipe(const RecipeSpace& recipe) {
+    const std::string path = member_path(at("space"), "recipe");
+    const Names examples = known_dimensions(manifest_, Kind::weights);
+    if (!examples.empty())
+      list_.check_known_name(member_path(path, "of"), recipe.of, "example", examples);
+    for (const auto& [name, limits] : recipe.posture)
+      if (!motion::posture_unit(name))
+        list_.add_at_key(member_path(member_path(path, "posture"), name),
+                         "unknown rotation " + motion::in_quotes(name),
+                         motion::did_you_mean(name, rotation_names()));
+    if (dimensions_of(recipe).empty())
+      list_.add(path, "no dimensions", "name emotions, posture, paths, acceleration or tempo");
+    check_emotions(recipe, member_path(path, "emotions"));
+    std::set<std::string> taken;
+    for (const auto& [name, limits] : dimensions_of(recipe)) {
+      if (limits[0] >= limits[1])
+        list_.add(place_of_dimension(recipe, path, name), "the limits do not ascend",
+                  "give the least value first, then the greatest");
+      if (!taken.insert(name).second)
+        list_.add(path, fmt::format("two dimensions are named {}", name),
+                  "give the recipe another name");
+    }
+  }
+
+  /// Poses of recipes need files, which pages for participants do not have.
+  void check_emotions(const RecipeSpace& recipe, const std::string& path) {
+    if (recipe.emotions.empty()) return;
+    RecipeBook book;
+    try {
+      book = read_recipes(manifest_.recipes.name, manifest_.recipes.file);
+    } catch (const Error&) {
+      return;  // reported where the stimuli's modifications are resolved
+    }
+    for (const auto& [name, limits] : recipe.emotions) {
+      const Recipe* found = book.find(name);
+      if (found == nullptr)
+        list_.add_at_key(member_path(path, name),
+                         "there is no recipe for " + motion::in_quotes(name),
+                         motion::did_you_mean(name, book.names()));
+      else if (found->edit.pose)
+        list_.add_at_key(member_path(path, name), "its recipe contains a pose",
+                         "use a recipe without a pose");
+    }
+  }
+
+  static Names rotation_names() {
+    Names names;
+    for (const motion::PostureUnitName& unit : motion::posture_units())
+      names.emplace_back(unit.name);
+    return names;
+  }
+
+  static std::string place_of_dimension(const RecipeSpace& recipe, const std::string& path,
+                                        const std::string& name) {
+    for (const auto& [key, limits] :
+         {std::pair("emotions", &recipe.emotions), std::pair("posture", &recipe.posture)})
+      if (std::ranges::find(*limits, name, &NamedLimits::value_type::first) != limits->end())
+        return member_path(member_path(path, key), name);
+    return member_path(path, name);
   }
 
   static const char* noun_of(Kind kind) {

@@ -78,30 +78,37 @@ class AdaptiveCheck {
   }
 
   void check_method_keys() {
-    if (is_staircase()) return;
+    if (is_staircase())
+      return refuse(adaptive_path("until"), "only QUEST+ knows how well a threshold is known",
+                    "use reversals, or method: quest");
+    if (adaptive_.until)
+      refuse(adaptive_path("trials"), "until already states the greatest number of trials",
+             "omit it");
     for (const char* key : {"up", "down", "step", "reversals", "start"})
       refuse(adaptive_path(key), fmt::format("only staircases have {}", key),
              "omit it, or use method: staircase");
   }
 
   void check_proportion() {
-    check_target();
-    if (!is_two_interval()) return;
-    if (is_staircase() && staircase_proportion(adaptive_) <= guessed_share + 1e-9)
-      list_.add(adaptive_path("down"),
-                fmt::format("a staircase with up: {} and down: {} comes to {:.3g} % right answers, "
-                            "and half of all guesses are right",
-                            adaptive_.up, adaptive_.down, 100.0 * staircase_proportion(adaptive_)),
-                "use a larger number, such as down: 2");
-    if (adaptive_.proportion && *adaptive_.proportion <= guessed_share)
+    if (is_two_interval() && adaptive_.proportion && *adaptive_.proportion <= guessed_share)
       list_.add(adaptive_path("proportion"), "half of all guesses are right", "use more than 0.5");
+    // Other numbers are out of range, which the schema reports.
+    const bool are_numbers_valid =
+        std::min({adaptive_.up, adaptive_.down, adaptive_.step.up, adaptive_.step.down}) >= 1;
+    if (is_staircase() && are_numbers_valid) check_target();
   }
 
   /// Guesses and lapses hide levels with very few or very many positive answers.
   void check_target() {
     constexpr double least = 0.15, most = 0.95;
     const double target = staircase_proportion(adaptive_);
-    if (is_staircase() && (target < least || target > most))
+    if (is_two_interval() && target <= guessed_share + 1e-9)
+      list_.add(adaptive_path("down"),
+                fmt::format("a staircase with up: {} and down: {} comes to {:.3g} % right answers, "
+                            "and half of all guesses are right",
+                            adaptive_.up, adaptive_.down, 100.0 * target),
+                "use a larger number, such as down: 2");
+    else if (target < least || target > most)
       list_.add(
           adaptive_path("step"),
           fmt::format("the staircase comes to {:.3g} % positive answers", 100.0 * target),
@@ -111,7 +118,8 @@ class AdaptiveCheck {
   void check_count() {
     const int trials = adaptive_session_trials(asked_);
     if (trials > most_session_trials)
-      list_.add(adaptive_path("trials"), fmt::format("a session would have {} trials", trials),
+      list_.add(adaptive_path(adaptive_.until ? "until.at_most" : "trials"),
+                fmt::format("a session would have {} trials", trials),
                 fmt::format("use fewer trials or tracks, at most {} in all", most_session_trials));
   }
 
@@ -165,6 +173,7 @@ class AdaptiveCheck {
       return list_.add(questionnaire_path("signal"), "all of the stimuli have the signal",
                        "show stimuli without the signal, too");
     check_reference_levels(levels);
+    check_deviation(levels);
     check_steps(static_cast<int>(count));
   }
 
@@ -182,6 +191,18 @@ class AdaptiveCheck {
                                    motion::in_quotes(id), level, is_rising ? "below" : "above"),
                        "use trials: two_interval, or another level");
     }
+  }
+
+  /// Before the first answer, the standard deviation is more than 0.28 of the range (uniform).
+  void check_deviation(const AdaptiveLevels& levels) {
+    constexpr double most_share = 0.25;
+    const double range = std::abs(levels.grid.back().value - levels.grid.front().value);
+    if (adaptive_.until && adaptive_.until->sd > most_share * range)
+      list_.add(adaptive_path("until.sd"),
+                fmt::format("a threshold is known as well as that before the first answer: levels "
+                            "are from {:g} to {:g}",
+                            levels.grid.front().value, levels.grid.back().value),
+                fmt::format("use at most {:g}", most_share * range));
   }
 
   void check_steps(int levels) {

@@ -14,6 +14,7 @@
 #include "pipeline/manifest/checks/vocabulary.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/manifest/packed_recordings.h"
+#include "pipeline/manifest/reading/levelled_document.h"
 
 namespace mien::pipeline {
 
@@ -155,8 +156,9 @@ ManifestReading checked(ManifestReading reading, const std::filesystem::path& ou
     append(faults, check_sources(manifest, out / manifest.study));
   KnownVocabulary known = known_vocabulary(manifest);
   if (std::ranges::none_of(faults, is_about_examples)) append(faults, std::move(known.faults));
-  append(faults, check_names(manifest, known.vocabulary));
-  append(faults, check_modification_names(manifest, known.vocabulary));
+  std::vector<Fault> names = check_names(manifest, known.vocabulary);
+  append(names, check_modification_names(manifest, known.vocabulary));
+  append(faults, with_written_paths(std::move(names), manifest.origins));
   return {std::move(reading.manifest), in_reading_order(std::move(faults))};
 }
 

@@ -8,6 +8,7 @@
 #include "pipeline/base/reading/yaml_json.h"
 #include "pipeline/manifest/checks/document_checks.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/reading/levelled_document.h"
 #include "pipeline/manifest/reading/resolved_manifest.h"
 
 namespace mien::pipeline {
@@ -20,11 +21,23 @@ ManifestReading parse_manifest(std::string_view text, const std::filesystem::pat
   if (written.document.is_null() && !faults.empty())
     return {{.file = file}, in_reading_order(std::move(faults))};
   std::vector<Fault> against_schema = check_schema(written.document, schema, written.places);
-  ResolvedManifest resolved = resolve(build_manifest(std::move(written), file, paths));
-  std::vector<Fault> meaning = check_meaning(resolved);
-  return {std::move(resolved.manifest),
-          merged_faults({std::move(faults), std::move(against_schema), std::move(resolved.faults),
-                         std::move(meaning)})};
+  LevelledDocument levelled = with_all_levels(std::move(written));
+  const std::vector<std::size_t> origins = std::move(levelled.origins);
+  if (against_schema.empty() && !origins.empty())
+    against_schema = with_written_paths(
+        check_schema(levelled.reading.document, schema, levelled.reading.places), origins);
+  const bool are_levels_made = levelled.faults.empty();
+  append(against_schema, std::move(levelled.faults));
+  Manifest built = build_manifest(std::move(levelled.reading), file, paths);
+  built.origins = origins;
+  ResolvedManifest resolved = resolve(std::move(built));
+  // Without the stimuli of some levels, others may seem to be at fault.
+  std::vector<Fault> meaning;
+  if (are_levels_made) meaning = with_written_paths(check_meaning(resolved), origins);
+  return {
+      std::move(resolved.manifest),
+      merged_faults({std::move(faults), std::move(against_schema),
+                     with_written_paths(std::move(resolved.faults), origins), std::move(meaning)})};
 }
 
 std::vector<NamedFile> named_files(std::string_view text, const std::filesystem::path& file,
@@ -33,7 +46,7 @@ std::vector<NamedFile> named_files(std::string_view text, const std::filesystem:
   std::vector<Fault> faults;
   JsonReading written = read_json(text, file.string(), manifest_schema(), environment, faults);
   if (!faults.empty()) throw Faults(std::move(faults));
-  build_manifest(std::move(written), file,
+  build_manifest(with_all_levels(std::move(written)).reading, file,
                  [&](const std::string& name, const std::filesystem::path& resolved) {
                    named.push_back({name, resolved});
                  });

@@ -7,6 +7,28 @@ namespace mien::pipeline {
 
 namespace {
 
+/// "strength of sad from 0 to 1.5", "head-flexion from -10° to 30°", "paths from 0.5 to 1.5"
+std::vector<std::string> limits_texts(const RecipeSpace& recipe) {
+  std::vector<std::string> texts;
+  for (const auto& [name, limits] : dimensions_of(recipe)) {
+    const std::size_t index = texts.size();
+    const bool is_strength = index < recipe.emotions.size();
+    const bool is_rotation = !is_strength && index < recipe.emotions.size() + recipe.posture.size();
+    const char* unit = is_rotation ? "°" : "";
+    texts.push_back(fmt::format("{}{} from {:g}{} to {:g}{}", is_strength ? "strength of " : "",
+                                name, limits[0], unit, limits[1], unit));
+  }
+  return texts;
+}
+
+std::string starts_text(MotionSpace::Kind kind) {
+  if (kind == MotionSpace::Kind::weights)
+    return "Chains started at random points of the ranges, 0.01 to 1";
+  if (kind == MotionSpace::Kind::recipe) return "Chains started at random points of the ranges";
+  return "The ranges were those of the examples, and chains started at random blends of three "
+         "examples";
+}
+
 std::string dimensions_text(const Manifest& manifest) {
   const MotionSpace& space = manifest.adaptive->space;
   const std::vector<std::string> names = dimension_names(manifest);
@@ -19,6 +41,9 @@ std::string dimensions_text(const Manifest& manifest) {
       return "motion features (" + listed(names) + ")";
     case MotionSpace::Kind::weights:
       return "relative weights of the examples (" + listed(names) + ")";
+    case MotionSpace::Kind::recipe:
+      return "modifications of the example " + space.recipe.of + " (" +
+             listed(limits_texts(space.recipe)) + ")";
     case MotionSpace::Kind::components:
       break;
   }
@@ -95,10 +120,7 @@ void describe_adaptive(MethodsText& out) {
   out.say(fmt::format("The {} {}, the dimensions {}", words.size() == 1 ? "word was" : "words were",
                       listed(words), dimensions_text(out.manifest)));
   describe_chains(out, adaptive);
-  out.say(adaptive.space.kind == MotionSpace::Kind::weights
-              ? "Chains started at random points of the ranges, 0.01 to 1"
-              : "The ranges were those of the examples, and chains started at random blends of "
-                "three examples");
+  out.say(starts_text(adaptive.space.kind));
   const std::size_t trials = adaptive.across_participants
                                  ? static_cast<std::size_t>(adaptive.trials_per_participant)
                                  : adaptive.words.size() *

@@ -11,8 +11,8 @@
 #include "motion/animate/constraints.h"
 #include "motion/animate/keys.h"
 #include "motion/formats/motion_file.h"
-#include "motion/gestures/acting_hand.h"
 #include "motion/lint/lint.h"
+#include "motion/modify/modified_example.h"
 #include "motion/rig/recording_clip.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/named_motions.h"
@@ -61,24 +61,12 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
     return;
   }
   motion::Modification asked = motion::scaled(modification, share * step.strength);
-  // What a recipe says of gestures is not meant for walks.
-  const bool by_recipe = !step.edit.names("gesture") && !motion::is_identity(asked.gesture);
-  if (by_recipe && !motion::acting_hand(result.motion.clip)) asked.gesture = {};
-  motion::ModifiedClip modified = motion::modify(result.motion.clip, asked);
-  // First the gesture has its own timing, then the tempo is that of everything.
-  const std::vector<double>& moved = modified.report.gesture_frames;
-  const double rate = result.motion.clip.frames_per_second;
-  const double before = moved.empty() ? result.motion.clip.duration_seconds() : moved.back() / rate;
-  result.motion.clip = std::move(modified.clip);
-  const double now = result.motion.clip.duration_seconds();
-  const motion::Retiming& retiming = modified.report.retiming;
-  const bool is_even = retiming.is_even || retiming.sources.empty();
-  const auto move = [&](double& time) {
-    if (!moved.empty()) time = motion::moved_by_gesture(moved, time * rate) / rate;
-    time = is_even ? time * (now / before) : now * motion::retimed_share(time / before, retiming);
-  };
-  std::ranges::for_each(result.motion.keytimes, move);
-  std::ranges::for_each(result.times, move);
+  if (!step.edit.names("gesture"))
+    asked = motion::without_idle_gesture(std::move(asked), result.motion.clip);
+  motion::ModifiedExample modified =
+      motion::modified_example(result.motion, asked, std::move(result.times));
+  result.motion = std::move(modified.example);
+  result.times = std::move(modified.times);
   result.planted_drift_m = modified.report.drift_after_repair;
   for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
 }

@@ -191,6 +191,11 @@ ChainDesign chain_design(const Manifest& manifest, const Eigen::MatrixXd& at_exa
                      .has_relative_values = adaptive.space.kind == MotionSpace::Kind::weights,
                      .until = adaptive.until};
   for (const auto& [id, shown] : adaptive.words) design.words.push_back(id);
+  if (adaptive.space.kind == MotionSpace::Kind::recipe) {
+    for (const auto& [name, limits] : dimensions_of(adaptive.space.recipe))
+      design.space.push_back({limits[0], limits[1]});
+    return design;
+  }
   for (std::size_t i = 0; i < design.dimensions.size(); ++i) {
     if (at_examples.size() == 0) {
       design.space.push_back({least_weight, 1.0});

@@ -51,12 +51,13 @@ struct ChainDesign {
 /// The design of a manifest's experiment. `at_examples` has the values of the dimensions at the
 /// examples: one row per dimension, one column per example; the ranges are those of the examples.
 /// For weights it is empty, and the range of each is 0.01 to 1: weights are relative, and not all
-/// of them may be 0.
+/// of them may be 0. For modifications it is empty, too, and the ranges are those of the manifest.
 ChainDesign chain_design(const Manifest& manifest, const Eigen::MatrixXd& at_examples);
 
 /// The point at which a chain starts, rounded to 0.001: a blend of three random examples with
 /// weights that are uniformly distributed among those with a sum of 1, so that it is within what
-/// the examples reach; for weights of examples, a uniformly distributed point of the ranges.
+/// the examples reach; for weights of examples and modifications, a uniformly distributed point of
+/// the ranges.
 std::vector<double> chain_start(const ChainDesign& design, const Eigen::MatrixXd& at_examples,
                                 const ChainName& name);
 

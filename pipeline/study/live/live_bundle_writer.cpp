@@ -107,6 +107,24 @@ ordered_json feature_sliders(const motion::ParameterTable& table) {
   return sliders;
 }
 
+/// All examples, which must be blendable, or the chosen one.
+motion::ExampleSet bundled_examples(const Manifest& manifest, const Repertoire& repertoire,
+                                    const LiveChoice& choice) {
+  motion::ExampleSet examples = examples_for(choice.interpolation, repertoire);
+  if (!choice.only.empty()) {
+    std::erase_if(examples.examples,
+                  [&](const motion::Example& example) { return example.name != choice.only; });
+    examples.blendable = true;
+    if (!examples.examples.empty()) return examples;
+    throw Error(Place{manifest.file.string()},
+                fmt::format("there is no example \"{}\"", choice.only), "name one of the examples");
+  }
+  if (examples.examples.empty() || !examples.blendable)
+    throw Error(Place{manifest.file.string()}, "its examples cannot be blended live",
+                "use examples that can be blended, without blendable: false");
+  return examples;
+}
+
 }  // namespace
 
 LiveChoice live_choice(const Manifest& manifest) {
@@ -116,15 +134,13 @@ LiveChoice live_choice(const Manifest& manifest) {
 motion::LiveBundle live_bundle(const Manifest& manifest, Motions& motions,
                                const LiveChoice& choice) {
   const Repertoire& repertoire = motions.repertoire();
-  const motion::ExampleSet& examples = examples_for(choice.interpolation, repertoire);
-  if (examples.examples.empty() || !examples.blendable)
-    throw Error(Place{manifest.file.string()}, "its examples cannot be blended live",
-                "use examples that can be blended, without blendable: false");
   motion::LiveBundle bundle;
-  bundle.examples = examples;
-  bundle.adjectives = repertoire.parameters;
-  bundle.features = repertoire.features.table;
-  bundle.feature_scale = repertoire.features.scale;
+  bundle.examples = bundled_examples(manifest, repertoire, choice);
+  if (choice.only.empty()) {
+    bundle.adjectives = repertoire.parameters;
+    bundle.features = repertoire.features.table;
+    bundle.feature_scale = repertoire.features.scale;
+  }
   bundle.how = choice.interpolation;
   bundle.frames_per_second = choice.output.fps;
   bundle.playback = {choice.output.cycles, choice.output.in_place};

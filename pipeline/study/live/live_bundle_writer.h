@@ -19,6 +19,8 @@ struct LiveChoice {
   Output output;  ///< frame rate, and whether a clip repeats the motion and removes its travel
   std::vector<std::string>
       primary;  ///< adjectives shown initially; empty: the scales' groups or, without groups, all
+  /// If not empty, the bundle has this example only, which need not be blendable, and no sliders.
+  std::string only = {};
 };
 
 /// The manifest's settings; `targets` and `primary` are empty.

@@ -57,7 +57,7 @@ const json& list_part(const json& body, const char* name) {
 motion::LiveSetting setting_in(const json& body) {
   motion::LiveSetting setting;
   const auto kind = meaning_of(motion::interface_kinds, name_in(part(body, "kind"), "\"kind\""));
-  if (!kind) throw BadRequest{"\"kind\" is none of adjectives, features, weights"};
+  if (!kind) throw BadRequest{"\"kind\" is none of adjectives, features, weights, modifications"};
   setting.kind = *kind;
   for (const json& slider : list_part(body, "sliders"))
     setting.sliders.push_back(name_in(slider, "a slider"));

@@ -18,6 +18,7 @@ Colour colour_of(InterfaceKind kind) {
     case InterfaceKind::features:
       return created_colours.line;
     case InterfaceKind::weights:
+    case InterfaceKind::modifications:
       break;
   }
   return reference_colours.line;

@@ -28,7 +28,8 @@ class AdaptivePart {
 
   std::vector<Trial> run() {
     const auto tracks = static_cast<std::size_t>(asked_.adaptive.tracks);
-    for (int round = 0; round < asked_.adaptive.trials; ++round)
+    const int rounds = most_track_trials(asked_.adaptive);
+    for (int round = 0; round < rounds; ++round)
       for (const std::size_t track : random_order(tracks, seed_, fmt::format("round/{}", round)))
         trials_.push_back(track_trial(track, static_cast<std::size_t>(round)));
     add_noise();

@@ -136,8 +136,11 @@ ordered_json document_excerpt(const ordered_json& document, const std::vector<st
                            "equalize", "design", "mismatch"})
     about.erase(name);
   if (!document.contains("stimuli") || !document["stimuli"].is_array()) return about;
-  for (ordered_json& stimulus : about["stimuli"])
-    if (stimulus.is_object()) stimulus.erase("audio");
+  for (ordered_json& stimulus : about["stimuli"]) {
+    if (!stimulus.is_object()) continue;
+    stimulus.erase("audio");
+    stimulus.erase("levels");
+  }
   const auto is_wanted = [&](const ordered_json& stimulus) {
     if (!stimulus.is_object() || !stimulus.contains("id")) return false;
     return std::any_of(ids.begin(), ids.end(),

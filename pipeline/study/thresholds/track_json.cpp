@@ -14,6 +14,10 @@ ordered_json procedure_json(const TrackProcedure& procedure) {
                      {"width", grid.width},
                      {"guess", grid.guess},
                      {"lapse", grid.lapse}};
+    if (procedure.end)
+      text["end"] = {{"deviation", procedure.end->deviation},
+                     {"proportion", procedure.end->proportion},
+                     {"most_trials", procedure.end->most_trials}};
     return text;
   }
   const StaircaseSettings& staircase = procedure.staircase;
@@ -32,6 +36,10 @@ TrackProcedure procedure_of(const ordered_json& text) {
   if (text.at("method") == word_of(adaptive_method_words, AdaptiveMethod::quest)) {
     const ordered_json& grid = text.at("quest");
     procedure.quest = {grid.at("location"), grid.at("width"), grid.at("guess"), grid.at("lapse")};
+    if (text.contains("end")) {
+      const ordered_json& end = text.at("end");
+      procedure.end = QuestEnd{end.at("deviation"), end.at("proportion"), end.at("most_trials")};
+    }
     return procedure;
   }
   const ordered_json& given = text.at("staircase");

@@ -5,6 +5,7 @@
 
 #include "pipeline/manifest/adaptive_levels.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/study/thresholds/threshold_posterior.h"
 
 namespace mien::pipeline {
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Expected entropies that differ by less are equal but for rounding, nats.
 constexpr double entropy_rounding = 1e-9;
+
+/// Standard deviations that differ by a smaller share are equal but for rounding.
+constexpr double deviation_rounding = 1e-9;
 
 StaircaseSettings staircase_of(const AdaptiveTrialSettings& adaptive, std::size_t levels) {
   StaircaseSettings staircase = {.positive_to_fall = adaptive.down,
@@ -54,6 +58,9 @@ TrackProcedure track_procedure(const Manifest& manifest) {
     procedure.ease.push_back(adaptive.easier == LevelDirection::rising ? level.value
                                                                        : -level.value);
   }
+  if (adaptive.until)
+    procedure.end =
+        QuestEnd{adaptive.until->sd, threshold_proportion(adaptive), adaptive.until->at_most};
   if (adaptive.method == AdaptiveMethod::quest)
     procedure.quest = quest_grid(procedure.ease, *asked.trials);
   else
@@ -74,7 +81,8 @@ std::vector<bool> staircase_answers(const std::vector<TrackAnswer>& answers) {
   return positive;
 }
 
-TrackLevels::TrackLevels(const TrackProcedure& procedure) : staircase_(procedure.staircase) {
+TrackLevels::TrackLevels(const TrackProcedure& procedure)
+    : staircase_(procedure.staircase), end_(procedure.end) {
   if (procedure.method != AdaptiveMethod::quest) return;
   const QuestGrid& grid = procedure.quest;
   quest_ = psychometric_quest(Sigmoid::logistic, procedure.ease, {grid.location}, {grid.width},
@@ -90,6 +98,7 @@ Eigen::VectorXd TrackLevels::entropies(const std::vector<TrackAnswer>& answers) 
 }
 
 std::optional<std::size_t> TrackLevels::next(const std::vector<TrackAnswer>& answers) const {
+  if (quest_ && end_ && has_ended(answers, end_->deviation)) return std::nullopt;
   if (quest_) return next_stimulus(*quest_, posterior_after(*quest_, quest_answers(answers)));
   const StaircaseRun found = run(answers);
   if (found.is_finished) return std::nullopt;
@@ -101,6 +110,21 @@ bool TrackLevels::permits(const std::vector<TrackAnswer>& answers, std::size_t p
   const Eigen::VectorXd expected = entropies(answers);
   const auto index = static_cast<Eigen::Index>(place);
   return index < expected.size() && expected[index] <= expected.minCoeff() + entropy_rounding;
+}
+
+bool TrackLevels::has_ended(const std::vector<TrackAnswer>& answers, double deviation) const {
+  if (answers.empty()) return false;
+  if (answers.size() >= static_cast<std::size_t>(end_->most_trials)) return true;
+  const Eigen::VectorXd posterior = posterior_after(*quest_, quest_answers(answers));
+  return threshold_posterior(*quest_, posterior, end_->proportion).deviation <= deviation;
+}
+
+bool TrackLevels::permits_end(const std::vector<TrackAnswer>& answers, bool has_ended) const {
+  if (!quest_) return has_ended == !next(answers).has_value();
+  if (!end_) return !has_ended;
+  const double rounded = deviation_rounding * end_->deviation;
+  return has_ended == this->has_ended(answers, end_->deviation + rounded) ||
+         has_ended == this->has_ended(answers, end_->deviation - rounded);
 }
 
 }  // namespace mien::pipeline

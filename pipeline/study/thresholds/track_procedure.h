@@ -19,6 +19,17 @@ struct QuestGrid {
   friend bool operator==(const QuestGrid&, const QuestGrid&) = default;
 };
 
+/// When a track of QUEST+ ends: once the posterior standard deviation of the threshold, the level
+/// with this proportion of positive answers (ThresholdPosterior), is at most `deviation`, or after
+/// so many trials.
+struct QuestEnd {
+  double deviation = 0.0;
+  double proportion = 0.75;
+  int most_trials = 0;
+
+  friend bool operator==(const QuestEnd&, const QuestEnd&) = default;
+};
+
 /// How the tracks of a questionnaire choose levels. Levels are numbered by their places in the grid
 /// (AdaptiveLevels::grid), from 0, the hardest.
 struct TrackProcedure {
@@ -28,6 +39,7 @@ struct TrackProcedure {
   /// easier, their negatives.
   std::vector<double> ease;
   QuestGrid quest;              ///< of QUEST+ only
+  std::optional<QuestEnd> end;  ///< of QUEST+ only; unset: tracks show all trials of the plan
   StaircaseSettings staircase;  ///< of staircases only: its levels are places of the grid
 };
 
@@ -59,15 +71,22 @@ class TrackLevels {
   /// exceeds the least by no more than 1e-9 nats, as rounding can make of equal ones.
   bool permits(const std::vector<TrackAnswer>& answers, std::size_t place) const;
 
+  /// Whether a track may have ended, or not, after these answers: as `next` has it or, of QUEST+,
+  /// if the standard deviation differs from that of its end by no more than rounding.
+  bool permits_end(const std::vector<TrackAnswer>& answers, bool has_ended) const;
+
   /// The tables of QUEST+; only where this is the method.
   const QuestPlus& quest() const { return *quest_; }
 
  private:
   StaircaseRun run(const std::vector<TrackAnswer>& answers) const;
+  /// Whether a track of QUEST+ has ended if its end has this standard deviation.
+  bool has_ended(const std::vector<TrackAnswer>& answers, double deviation) const;
   Eigen::VectorXd entropies(const std::vector<TrackAnswer>& answers) const;
 
   StaircaseSettings staircase_;
   std::optional<QuestPlus> quest_;
+  std::optional<QuestEnd> end_;
 };
 
 /// The answers as those of QUEST+.

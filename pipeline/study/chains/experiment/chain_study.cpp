@@ -9,6 +9,7 @@
 #include "pipeline/manifest/adaptive_plan.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/study_texts.h"
+#include "pipeline/study/chains/experiment/recipe_dimensions.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 #include "pipeline/study/questionnaire/experiment/experiment.h"
 #include "pipeline/study/questionnaire/service/chain_record.h"
@@ -50,6 +51,10 @@ ChainDimensions add_components(const Manifest& manifest, motion::LiveBundle& bun
 ChainDimensions dimensions_of(const Manifest& manifest, motion::LiveBundle& bundle) {
   const Kind kind = adaptive_of(manifest).space.kind;
   if (kind == Kind::components) return add_components(manifest, bundle);
+  if (kind == Kind::recipe) {
+    bundle.modification = live_modification(manifest);
+    return {.kind = motion::InterfaceKind::modifications, .names = dimension_names(manifest)};
+  }
   ChainDimensions dimensions{.names = dimension_names(manifest)};
   if (kind == Kind::weights) {
     dimensions.kind = motion::InterfaceKind::weights;
@@ -223,9 +228,12 @@ std::vector<SessionPlan> ChainStudy::plans() const {
 }
 
 ChainStudy chain_study(const Manifest& manifest, Motions& motions, int participants) {
-  ChainStudy study{.bundle = live_bundle(manifest, motions, live_choice(manifest))};
+  LiveChoice choice = live_choice(manifest);
+  const MotionSpace& space = adaptive_of(manifest).space;
+  if (space.kind == Kind::recipe) choice.only = space.recipe.of;
+  ChainStudy study{.bundle = live_bundle(manifest, motions, choice)};
   study.dimensions = dimensions_of(manifest, study.bundle);
-  if (manifest.adaptive->space.kind == Kind::components)
+  if (space.kind == Kind::components)
     study.bundle.info = live_info(study.bundle, {}, study.dimensions.names).dump();
   study.design = chain_design(manifest, study.dimensions.at_examples);
   try_first_motion(study);

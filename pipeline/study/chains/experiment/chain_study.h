@@ -19,7 +19,7 @@ namespace mien::pipeline {
 struct ChainDimensions {
   motion::InterfaceKind kind = motion::InterfaceKind::adjectives;  ///< sliders of the live core
   std::vector<std::string> names;
-  /// Values at the examples, one row per dimension; empty for weights.
+  /// Values at the examples, one row per dimension; empty for weights and modifications.
   Eigen::MatrixXd at_examples;
 };
 

@@ -19,6 +19,7 @@ namespace {
 constexpr double usual_deviation = 0.12;
 /// The probability of passing an attention check, as in simulated questionnaires.
 constexpr double attention_pass_rate = 0.98;
+constexpr double usual_place = 0.8;
 
 /// A value of a normal distribution truncated to a range, at a share of its probability.
 double truncated_value(double mean, double deviation, const DimensionRange& range, double share) {
@@ -238,6 +239,12 @@ std::map<std::string, WordTruth> usual_truth(const ChainStudy& study) {
     if (same != examples.end() && study.dimensions.at_examples.size() > 0) {
       const auto at = study.dimensions.at_examples.col(same - examples.begin());
       of.mean.assign(at.begin(), at.end());
+    }
+    const auto recipe = std::ranges::find(study.design.dimensions, word);
+    if (study.dimensions.kind == motion::InterfaceKind::modifications &&
+        recipe != study.design.dimensions.end()) {
+      const auto d = static_cast<std::size_t>(recipe - study.design.dimensions.begin());
+      of.mean[d] = std::lerp(study.design.space[d].low, study.design.space[d].high, usual_place);
     }
     for (const DimensionRange& range : study.design.space)
       of.deviation.push_back(usual_deviation * (range.high - range.low));

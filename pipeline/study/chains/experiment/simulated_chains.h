@@ -17,7 +17,8 @@ struct WordTruth {
 };
 
 /// The truth of each word by default: around the example of the same name or, if there is none,
-/// around a random blend of examples, with 0.12 of each range as standard deviation.
+/// around a random blend of examples; of modifications, around a random point of the ranges, at 0.8
+/// of the range of the recipe of the same name. The standard deviation is 0.12 of each range.
 std::map<std::string, WordTruth> usual_truth(const ChainStudy& study);
 
 /// Answers of all participants, practice included, marked as simulated. With a slider, a person

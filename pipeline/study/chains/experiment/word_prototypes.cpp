@@ -9,6 +9,7 @@
 #include "motion/live/live_core.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/questionnaire_content.h"
+#include "pipeline/study/chains/experiment/recipe_dimensions.h"
 
 namespace mien::pipeline {
 
@@ -74,18 +75,23 @@ NamedValues blended_weights(const ChainStudy& study, const std::vector<double>& 
   return named;
 }
 
-Stimulus prototype(const Manifest& manifest, Kind kind, const ChainStudy& study,
+Stimulus prototype(const Manifest& manifest, const MotionSpace& space, const ChainStudy& study,
                    const WordSamples& word) {
   Stimulus stimulus = plain_stimulus(manifest);
   stimulus.id = word.word;
   const std::vector<double> point = word.prototype();
+  if (space.kind == Kind::recipe) {
+    stimulus.weights = {{space.recipe.of, 1.0}};
+    stimulus.modify = modification_steps(space.recipe, point);
+    return stimulus;
+  }
   const NamedValues values = named_values(study.design.dimensions, point);
-  if (kind == Kind::components)
+  if (space.kind == Kind::components)
     stimulus.weights = blended_weights(study, point);
-  else if (kind == Kind::weights)
+  else if (space.kind == Kind::weights)
     stimulus.weights = values;
   else
-    (kind == Kind::features ? stimulus.features : stimulus.adjectives) = values;
+    (space.kind == Kind::features ? stimulus.features : stimulus.adjectives) = values;
   return stimulus;
 }
 
@@ -184,7 +190,7 @@ Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
   manifest.ratings.expected.clear();
   const Adaptive& adaptive = *source.adaptive;
   for (const WordSamples& word : results.words)
-    manifest.stimuli.push_back(prototype(manifest, adaptive.space.kind, study, word));
+    manifest.stimuli.push_back(prototype(manifest, adaptive.space, study, word));
   if (manifest.stimuli.size() > 1) {
     Sheet& sheet = manifest.sheets.emplace_back();
     for (const Stimulus& stimulus : manifest.stimuli) sheet.gallery.push_back(stimulus.id);

@@ -21,14 +21,16 @@ ScaleSet word_scales(const Manifest& manifest);
 ///
 /// with p the mean of the chain's samples and c the mean of the examples, in units of the ranges:
 /// ½ in the middle of the examples, 1 for what looks as much like the word as the prototype. The
-/// value is that share of the scale's range. Throws Error if a chain's mean is at c.
+/// value is that share of the scale's range. Throws Error if a chain's mean is at c. The space must
+/// not be one of modifications, which has one example only.
 std::string word_ratings_csv(const ChainStudy& study, const ChainResults& results,
                              const ScaleSet& scales);
 
 /// A manifest with a stimulus for each word, made from the dimensions of its prototype (of
-/// components, from the weights that they give the examples), and a questionnaire in which
-/// participants rate these on the scales, without a title and texts of its own. Its files lie
-/// beside it: scales in `scales`. Its name says whether the answers were simulated.
+/// components, from the weights that they give the examples; of modifications, from their steps),
+/// and a questionnaire in which participants rate these on the scales, without a title and texts of
+/// its own. Its files lie beside it: scales in `scales`. Its name says whether the answers were
+/// simulated.
 Manifest prototype_manifest(const Manifest& source, const ChainStudy& study,
                             const ChainResults& results, const std::filesystem::path& scales);
 

@@ -37,7 +37,15 @@ int read_count(RecordReader& reader, const char* name) {
   return *reader.count(name);
 }
 
-/// Values of the space; slider values are between 0 and 1.
+/// A value of a dimension.
+double read_value(RecordReader& reader, const char* name) {
+  const nlohmann::json& value = reader.required(name);
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    throw RecordFault(fmt::format("\"{}\" is not a number", name));
+  return value.get<double>();
+}
+
+/// A place of the slider, from 0 to 1.
 double read_share(RecordReader& reader, const char* name) {
   return reader.required_amount(name, 1.0);
 }
@@ -148,7 +156,7 @@ ChainRecord read_chain_record(const nlohmann::json& text) {
   if (reader.find("proposal") == nullptr) {
     record.dimension = static_cast<std::size_t>(read_count(reader, "dimension"));
     record.slider = {read_share(reader, "start"), reader.boolean("reversed")};
-    record.value = read_share(reader, "value");
+    record.value = read_value(reader, "value");
   } else {
     record.proposal = read_point(reader, "proposal");
     record.is_proposal_first = reader.boolean("proposal_first");

@@ -40,11 +40,11 @@ void check_level_shown(const QuestionnaireFacts& facts, const SessionPlan& plan,
   if (trial == nullptr || !trial->is_adaptive() || !facts.tracks) return;
   const TrackLevels levels(*facts.tracks);
   const std::vector<TrackAnswer> answers = track_answers(plan, *trial, earlier);
-  const bool has_ended = !levels.next(answers).has_value();
-  if (record.is_track_ended != has_ended)
-    throw RecordFault(has_ended ? "the track of this trial has ended"
-                                : "the track of this trial has not ended");
-  if (!has_ended && !levels.permits(answers, static_cast<std::size_t>(record.level.value_or(0))))
+  if (!levels.permits_end(answers, record.is_track_ended))
+    throw RecordFault(record.is_track_ended ? "the track of this trial has not ended"
+                                            : "the track of this trial has ended");
+  if (!record.is_track_ended &&
+      !levels.permits(answers, static_cast<std::size_t>(record.level.value_or(0))))
     throw RecordFault("the level shown does not follow from the answers so far");
 }
 

@@ -20,6 +20,7 @@ TEST(AdaptiveTrialChecks, PermitAllMethodsAndForms) {
   for (const char* form : {"two_interval", "yes_no", "same_different"})
     for (const char* more :
          {"factor: dose", "factor: dots, easier: falling, tracks: 3",
+          "factor: dose, until: {sd: 0.2, at_most: 60}",
           "factor: dose, method: staircase, down: 3, step: {up: 2, down: 1}, reversals: 8"})
       EXPECT_EQ(wrong_with(adaptive_members(form, more)), "") << form << ": " << more;
   EXPECT_EQ(wrong_with(adaptive_members("two_interval", "factor: dots, easier: falling") +
@@ -27,6 +28,11 @@ TEST(AdaptiveTrialChecks, PermitAllMethodsAndForms) {
             "")
       << "references may have the levels of the others";
   EXPECT_EQ(wrong_with(adaptive_members("yes_no", "method: staircase, factor: dose, down: 1")), "");
+  EXPECT_EQ(
+      wrong_with(adaptive_members("yes_no", "factor: dose") +
+                 ", signal: {dose: [0.5, '1', 1.5, 2]}, stimuli: {dose: [0, 0.5, 1, 1.5, 2]}"),
+      "")
+      << "levels may be numbers";
 }
 
 TEST(AdaptiveTrialChecks, TellWhatIsWrongWithItsPlace) {
@@ -65,6 +71,18 @@ TEST(AdaptiveTrialChecks, TellWhatIsWrongWithItsPlace) {
        "only staircases have down"},
       {adaptive_members("yes_no", "factor: dose, trials: 500, tracks: 3"),
        "questionnaire.adaptive.trials", "a session would have 1875 trials"},
+      {adaptive_members("yes_no", "factor: dose, trials: 40, until: {sd: 0.2, at_most: 60}"),
+       "m.yaml:5:96: questionnaire.adaptive.trials", "until already states"},
+      {adaptive_members("yes_no", "factor: dose, method: staircase, until: {sd: 0.2, at_most: 60}"),
+       "questionnaire.adaptive.until", "only QUEST+ knows"},
+      {adaptive_members("yes_no", "factor: dose, until: {sd: 0.7, at_most: 60}"),
+       "questionnaire.adaptive.until.sd", "use at most 0.625"},
+      {adaptive_members("yes_no", "factor: dose, tracks: 4, until: {sd: 0.2, at_most: 500}"),
+       "questionnaire.adaptive.until.at_most", "a session would have 2500 trials"},
+      {adaptive_members("yes_no", "factor: dose, until: {sd: 0.2}"), "questionnaire.adaptive.until",
+       "at_most"},
+      {adaptive_members("yes_no", "factor: dose, until: {sd: 0, at_most: 60}"),
+       "questionnaire.adaptive.until.sd", "out of range"},
       {adaptive_members("yes_no", "factor: dose, trials: 4"), "questionnaire.adaptive.trials", "5"},
       {adaptive_members("yes_no", "factor: dose, tracks: 9"), "questionnaire.adaptive.tracks", "8"},
       {adaptive_members("yes_no", "factor: dose") + ", order: fixed", "questionnaire.order",
@@ -77,6 +95,15 @@ TEST(AdaptiveTrialChecks, TellWhatIsWrongWithItsPlace) {
     const std::string told = wrong_with(one.members);
     EXPECT_NE(told.find(one.place), std::string::npos) << one.members << "\n" << told;
     EXPECT_NE(told.find(one.words), std::string::npos) << one.members << "\n" << told;
+  }
+}
+
+TEST(AdaptiveTrialChecks, TellAWrongStaircaseOnce) {
+  for (const char* more : {"down: 0", "down: 1", "up: 0", "down: 9", "step: 0"}) {
+    const std::string told = wrong_with(
+        adaptive_members("two_interval", std::string("factor: dose, method: staircase, ") + more));
+    EXPECT_NE(told, "");
+    EXPECT_EQ(told.find("m.yaml"), told.rfind("m.yaml")) << told;
   }
 }
 

@@ -278,6 +278,22 @@ TEST_F(MethodsQuestionnaire, SaysHowLevelsWereChosen) {
     expect_said(staircase, words);
   expect_said(methods_of_doses("same_different", "factor: dose, method: staircase, reversals: 8"),
               "it ended after 8 reversals, or 40 trials.");
+  expect_said(methods_of_doses("yes_no", "factor: dose, until: {sd: 0.2, at_most: 60}"),
+              "it ended after the first trial with a posterior standard deviation of the threshold "
+              "of at most 0.2, or 60 trials.");
+}
+
+TEST_F(MethodsQuestionnaire, SaysWhichModificationsChainsLedThrough) {
+  const std::string text = methods_for(
+      "mien: 1\nstudy: s\nseed: 7\nexamples: {set: builtin:walks-10}\nadaptive: {participants: 4, "
+      "method: gibbs, words: [sad], space: {recipe: {of: normal, emotions: {sad: [0, 1.5]}, "
+      "posture: {head-flexion: [-10, 30]}, paths: [0.5, 1.5]}}}\n");
+  for (const char* words :
+       {"modifications of the example normal (strength of sad from 0 to 1.5, head-flexion from "
+        "-10° to 30° and paths from 0.5 to 1.5)",
+        "Chains started at random points of the ranges."})
+    expect_said(text, words);
+  EXPECT_EQ(text.find("random blends"), std::string::npos);
 }
 
 TEST_F(MethodsQuestionnaire, CountsTrialsThatAreNotAnalysedOnEachScaleInTurn) {

@@ -100,6 +100,14 @@ constexpr char with_continuous[] =
     R"({"questionnaire": {"participants": 4, "scales": ["sad-happy"], "trials": "continuous"}, "output": {"video": ["mp4"]}})";
 constexpr char with_staircase[] =
     R"({"questionnaire": {"participants": 4, "trials": "same_different", "adaptive": {"factor": "dose", "method": "staircase", "trials": 20}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"dose": "0", "mood": "0"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"dose": "1", "mood": "4"}}, {"id": "c", "weights": {"proud": 1}, "factors": {"dose": "2", "mood": "3"}}, {"id": "d", "weights": {"tired": 1}, "factors": {"dose": "3", "mood": "2"}}, {"id": "e", "weights": {"tired": 1}, "factors": {"dose": "4", "mood": "1"}}]})";
+constexpr char with_quest[] =
+    R"({"questionnaire": {"participants": 4, "trials": "same_different", "adaptive": {"factor": "dose"}}, "output": {"video": ["mp4"]}, "stimuli": [{"id": "a", "weights": {"normal": 1}, "factors": {"dose": "0"}}, {"id": "b", "weights": {"sad": 1}, "factors": {"dose": "1"}}, {"id": "c", "weights": {"proud": 1}, "factors": {"dose": "2"}}, {"id": "d", "weights": {"tired": 1}, "factors": {"dose": "3"}}]})";
+constexpr char with_levels[] =
+    R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_a_range[] =
+    R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}, "levels": {"factor": "dose", "of": "modify.strength", "values": {}}}, {"id": "b", "weights": {"sad": 1}}]})";
+constexpr char with_whole_levels[] =
+    R"({"stimuli": [{"id": "a", "weights": {"normal": 1}, "modify": {"emotion": "sad"}, "levels": {"factor": "dose", "of": "modify.weight", "values": {}}}, {"id": "b", "weights": {"sad": 1}}]})";
 constexpr char with_same_different[] =
     R"({"questionnaire": {"participants": 4, "trials": "same_different"}, "output": {"video": ["mp4"]}})";
 constexpr char with_same_different_and_factors[] =
@@ -218,12 +226,15 @@ const Surroundings surroundings[] = {
     {"questionnaire.grid.reference", with_grid_of_actors, "{}"},
     {"questionnaire.grid.anchor", with_grid_of_actors, "{}"},
     {"questionnaire.grid", with_grid, "{}"},
+    {"questionnaire.adaptive.until.", with_quest, R"({"sd": 0.5, "at_most": 20})"},
+    {"questionnaire.adaptive.until", with_quest, "{}"},
     {"questionnaire.adaptive.step.", with_staircase, "{}"},
     {"questionnaire.adaptive.", with_staircase, "{}"},
     {"questionnaire.adaptive", with_staircase, "{}"},
     {"adaptive.demographics[].", with_adaptive,
      R"({"id": "age", "ask": "How old?", "answer": "text"})"},
     {"adaptive.language.browser", with_languages, "{}"},
+    {"adaptive.space.recipe.", without_space, R"({"of": "normal", "paths": [0.5, 1.5]})"},
     {"adaptive.space.", without_space, "{}"},
     {"adaptive.deviation", with_choices, "{}"},
     {"adaptive.trials_per_participant", with_shared_chains, "{}"},
@@ -267,6 +278,11 @@ const Surroundings surroundings[] = {
     {"stimuli[].adjectives", with_wishes, "{}"},
     {"stimuli[].hold", with_wishes, "{}"},
     {"stimuli[].foil", with_foil, "{}"},
+    {"stimuli[].levels.values.whole", with_whole_levels, R"({"from": 0, "to": 3, "steps": 3})"},
+    {"stimuli[].levels.values.", with_a_range, R"({"from": 0.1, "to": 0.9, "steps": 4})"},
+    {"stimuli[].levels.", with_levels,
+     R"({"factor": "dose", "of": "modify.strength", "values": [0.2, 0.4]})"},
+    {"stimuli[].levels", with_levels, "{}"},
     {"modify.harmonics", "{}", R"({"method": "unuma", "neutral": "normal", "styled": "sad"})"},
     {"modify.order", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
     {"modify.inputs", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
@@ -606,6 +622,18 @@ const Values chosen_values[] = {
     {"questionnaire.adaptive.trials", "[30, 50]"},
     {"questionnaire.adaptive.tracks", "[2, 3]"},
     {"questionnaire.adaptive.proportion", "[0.6, 0.8]"},
+    {"questionnaire.adaptive.until", R"([{"sd": 0.5, "at_most": 20}, {"sd": 0.4, "at_most": 20}])"},
+    {"questionnaire.adaptive.until.sd", "[0.3, 0.4]"},
+    {"questionnaire.adaptive.until.at_most", "[30, 50]"},
+    {"adaptive.space.recipe",
+     R"([{"of": "normal", "paths": [0.5, 1.5]}, {"of": "normal", "tempo": [0.8, 1.2]}])"},
+    {"adaptive.space.recipe.of", R"(["normal", "sad"])"},
+    {"adaptive.space.recipe.emotions", R"([{"sad": [0, 1.5]}, {"sad": [0, 1]}])"},
+    {"adaptive.space.recipe.posture",
+     R"([{"head-flexion": [-10, 30]}, {"head-flexion": [-10, 20]}])"},
+    {"adaptive.space.recipe.paths", "[[0.5, 1.4], [0.6, 1.4]]"},
+    {"adaptive.space.recipe.acceleration", "[[-0.5, 0.5], [-0.4, 0.5]]"},
+    {"adaptive.space.recipe.tempo", "[[0.7, 1.4], [0.8, 1.4]]"},
     {"questionnaire.adaptive.step", R"([2, {"up": 3, "down": 1}])"},
     {"questionnaire.adaptive.step.up", "[2, 3]"},
     {"questionnaire.adaptive.step.down", "[2, 3]"},
@@ -749,6 +777,14 @@ const Values chosen_values[] = {
     {"look", R"([{"camera": "front"}, {"camera": "side"}])"},
     {"stimuli[].id", R"(["a", "c"])"},
     {"stimuli[].factors", R"([{"actor": "k"}, {"actor": "m"}])"},
+    {"stimuli[].levels", R"([{"factor": "dose", "of": "modify.strength", "values": [0.2, 0.4]},
+                             {"factor": "dose", "of": "modify.strength", "values": [0.2, 0.5]}])"},
+    {"stimuli[].levels.factor", R"(["dose", "amount"])"},
+    {"stimuli[].levels.of", R"(["modify.strength", "modify.weight"])"},
+    {"stimuli[].levels.values", "[[0.2, 0.4], [0.2, 0.5]]"},
+    {"stimuli[].levels.values.from", "[0.1, 0.2]"},
+    {"stimuli[].levels.values.to", "[0.6, 0.8]"},
+    {"stimuli[].levels.values.steps", "[2, 3]"},
     {"stimuli[].adjectives", R"([{"quickness": 0.6}, {"quickness": 0.7}])"},
     {"stimuli[].features", R"([{"step-length": 0.4}, {"step-length": 0.6}])"},
     {"stimuli[].weights", R"([{"normal": 1}, {"normal": 1, "sad": 1}])"},

@@ -8,6 +8,7 @@
 #include "motion/live/live_core.h"
 #include "motion/live/live_message.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/reading/recipes.h"
 #include "pipeline/study/live/live_script.h"
 #include "pipeline/study/live/live_study.h"
 #include "pipeline/temporary_folder.h"
@@ -120,6 +121,35 @@ TEST_F(LiveModule, MakesTheSameMotionsAndDistances) {
   }
   RecordProperty("motions", std::to_string(motions_apart));
   std::printf("motions within %.2g, distances within %.2g\n", motions_apart, distances_apart);
+}
+
+TEST_F(LiveModule, MakesTheSameModifications) {
+  const Manifest manifest = test::live_manifest("{method: reach}");
+  Motions motions(manifest);
+  LiveChoice choice = live_choice(manifest);
+  choice.only = "normal";
+  motion::LiveBundle bundle = live_bundle(manifest, motions, choice);
+  bundle.modification.original = "normal";
+  const RecipeBook book = read_recipes("builtin", {});
+  for (const Recipe& recipe : book.recipes)
+    bundle.modification.dimensions.push_back(
+        {.name = recipe.name, .recipe = with_edit({}, recipe.edit), .high = 1.5});
+  bundle.modification.dimensions.push_back(
+      {.name = "paths", .value = motion::ModificationValue::paths, .high = 2.0});
+  motion::LiveCore core(bundle);
+  json requests = json::array();
+  std::vector<std::string> expected;
+  for (const Recipe& recipe : book.recipes) {
+    const LiveSetting setting{InterfaceKind::modifications, {recipe.name, "paths"}, {1.1, 1.2}};
+    requests.push_back({{"what", "make"}, {"setting", request_of(setting)}});
+    expected.push_back(motion::to_message(core.make(setting)));
+  }
+  ASSERT_GT(expected.size(), 5U);
+  ask(bundle, requests);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    ASSERT_EQ(answer(i).size(), expected[i].size()) << requests[i];
+    EXPECT_LT(largest_difference(answer(i), expected[i], 24), 1e-9) << requests[i];
+  }
 }
 
 TEST_F(LiveModule, RunsOnAPageThatNobodyServes) {

@@ -52,7 +52,8 @@ double difference_of(const std::string& one, const std::string& other) {
 std::size_t compared_through_both_doors(const fs::path& file) {
   const Environment none = [](const std::string&) { return std::nullopt; };
   const ManifestReading checked = check_manifest(file, none);
-  if (!checked.faults.empty()) return 0;
+  // A stimulus with levels is shown without them.
+  if (!checked.faults.empty() || !checked.manifest.origins.empty()) return 0;
   const ManifestFile opened(file, none);
   DraftReader reader(file, none);
   StudioMotions studio(reader);
@@ -110,6 +111,26 @@ TEST(StudioMotions, GoByOtherStimuliAsARunDoes) {
                      "  - {id: b, weights: {happy: 1}, audio: {from: a}}\n"
                      "design: {alike: [mood]}\n"),
             2u);
+}
+
+TEST(StudioMotions, OfAStimulusWithLevelsAreAsWithoutThem) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "m.yaml";
+  const Environment none = [](const std::string&) { return std::nullopt; };
+  const auto shown = [&](const char* id, const std::string& rest) {
+    write_file(file, "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n  - {id: " +
+                         std::string(id) + ", weights: {normal: 1}, modify: {emotion: sad}" + rest +
+                         "}\n");
+    const ManifestFile opened(file, none);
+    DraftReader reader(file, none);
+    StudioMotions studio(reader);
+    return studio.motion(opened.state().document, id, "");
+  };
+  const std::string levels = ", levels: {factor: d, of: modify.strength, values: [0.5, 1]}";
+  const std::string with = shown("a", levels), without = shown("a", "");
+  const std::size_t size = with.size() - with.rfind("MOVE");
+  EXPECT_GT(size, 10000u);
+  EXPECT_EQ(difference_of(motion_in(with, size), motion_in(without, size)), 0.0);
 }
 
 }  // namespace

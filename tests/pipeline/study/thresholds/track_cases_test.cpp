@@ -52,7 +52,9 @@ std::string cases_text() {
           "factor: dose, method: staircase, trials: 40, up: 2, down: 2, step: {up: 3, down: 1}, "
           "start: middle, reversals: 9",
           "factor: dots, easier: falling, method: staircase, trials: 35, start: hardest, step: "
-          "2"}) {
+          "2",
+          "factor: dose, until: {sd: 0.4, at_most: 35}",
+          "factor: dots, easier: falling, until: {sd: 8, at_most: 30}, proportion: 0.6"}) {
       const Manifest manifest = mien::test::dose_study(mien::test::adaptive_members(form, more));
       const TrackProcedure procedure = track_procedure(manifest);
       const TrackLevels levels(procedure);

@@ -22,6 +22,7 @@ TrackProcedure procedure_for(const std::string& form, const std::string& more) {
 TEST(TrackProcedure, IsReadAsItWasWritten) {
   for (const char* more :
        {"factor: dose", "factor: dots, easier: falling",
+        "factor: dose, until: {sd: 0.4, at_most: 30}, proportion: 0.8",
         "factor: dose, method: staircase, up: 2, down: 3, step: {up: 2, down: 1}, reversals: 6, "
         "trials: 30, start: middle"}) {
     const TrackProcedure written = procedure_for("same_different", more);
@@ -31,6 +32,7 @@ TEST(TrackProcedure, IsReadAsItWasWritten) {
     EXPECT_EQ(read.levels, written.levels) << more;
     EXPECT_EQ(read.ease, written.ease) << more;
     EXPECT_EQ(read.quest, written.quest) << more;
+    EXPECT_EQ(read.end, written.end) << more;
     EXPECT_EQ(procedure_json(read), procedure_json(written)) << more;
     const TrackLevels one(read), other(written);
     std::mt19937 random(7);
@@ -120,6 +122,68 @@ TEST(TrackLevels, OfQuestPermitNothingThatIsWorse) {
   for (std::size_t place = 0; place < 6; ++place) permitted += levels.permits(answers, place);
   EXPECT_EQ(permitted, 1);
   EXPECT_FALSE(levels.permits(answers, 6));
+}
+
+/// The answers of a simulated observer until the track ends, at most 300.
+std::vector<TrackAnswer> answered_track(const Manifest& manifest, double threshold, unsigned seed) {
+  const TrackProcedure procedure = track_procedure(manifest);
+  const TrackLevels levels(procedure);
+  const PsychometricFunction observer = simulated_observer(
+      manifest, procedure, {.threshold = threshold, .threshold_deviation = 0.0, .lapse = 0.01}, 1);
+  std::mt19937 random(seed);
+  std::vector<TrackAnswer> answers;
+  while (answers.size() < 300) {
+    const auto place = levels.next(answers);
+    if (!place) break;
+    const double drawn = std::uniform_real_distribution<>(0.0, 1.0)(random);
+    const double positive = answer_probability(observer, procedure.ease[*place]).positive;
+    answers.push_back({*place, drawn < positive});
+  }
+  return answers;
+}
+
+TEST(TrackLevels, OfQuestEndOnceTheThresholdIsKnownWellEnough) {
+  constexpr double sd = 0.3;
+  const Manifest manifest =
+      dose_study(adaptive_members("two_interval", "factor: dose, until: {sd: 0.3, at_most: 200}"));
+  const TrackLevels levels(track_procedure(manifest));
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const std::vector<TrackAnswer> answers = answered_track(manifest, 1.5, seed);
+    ASSERT_LT(answers.size(), 200U);
+    ASSERT_GT(answers.size(), 5U);
+    Eigen::VectorXd posterior = levels.quest().prior;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      posterior = updated(levels.quest(), posterior, quest_answers(answers)[i]);
+      const double deviation = threshold_posterior(levels.quest(), posterior, 0.75).deviation;
+      EXPECT_EQ(deviation <= sd, i + 1 == answers.size()) << seed << ": trial " << i + 1;
+    }
+    EXPECT_TRUE(levels.permits_end(answers, true));
+    EXPECT_FALSE(levels.permits_end(answers, false));
+    const std::vector<TrackAnswer> earlier(answers.begin(), answers.end() - 1);
+    EXPECT_FALSE(levels.permits_end(earlier, true));
+    EXPECT_TRUE(levels.permits_end(earlier, false));
+  }
+}
+
+TEST(TrackLevels, OfQuestTakeLongerToKnowMoreAndNoLongerThanTheyMay) {
+  const auto trials_until = [](const char* until) {
+    const Manifest manifest =
+        dose_study(adaptive_members("two_interval", std::string("factor: dose, until: ") + until));
+    return answered_track(manifest, 1.5, 5).size();
+  };
+  const std::size_t coarse = trials_until("{sd: 0.5, at_most: 250}");
+  const std::size_t fine = trials_until("{sd: 0.2, at_most: 250}");
+  EXPECT_GT(coarse, 3U);
+  EXPECT_GT(fine, coarse + 10);
+  EXPECT_LT(fine, 250U);
+  EXPECT_EQ(trials_until("{sd: 0.2, at_most: 20}"), 20U);
+}
+
+TEST(TrackLevels, WithoutAnEndGoOnAsLongAsThePlan) {
+  const Manifest manifest = dose_study(adaptive_members("two_interval", "factor: dose"));
+  const std::vector<TrackAnswer> answers = answered_track(manifest, 1.5, 1);
+  EXPECT_EQ(answers.size(), 300U);
+  EXPECT_FALSE(TrackLevels(track_procedure(manifest)).permits_end(answers, true));
 }
 
 TEST(ThresholdPosteriors, AreThoseOfTheParametersWhereTheThresholdIsTheLocation) {

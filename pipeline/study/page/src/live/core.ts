@@ -1,7 +1,7 @@
 // Sliders in, motion out: what the matching experiment and the studio ask of the motion core, whether
 // it runs in the browser as WebAssembly (wasm_core.ts) or behind a server (served_core.ts).
 
-export type InterfaceKind = "adjectives" | "features" | "weights";
+export type InterfaceKind = "adjectives" | "features" | "weights" | "modifications";
 
 export interface Slider {
   name: string;
@@ -58,7 +58,8 @@ export interface LiveDistance {
   by_time: Float64Array;
 }
 
-/** Sliders of one interface, all of them that matter, and where they stand: 0 to 1. */
+/** Sliders of one interface, all of them that matter, and where they stand: 0 to 1; of modifications within the limits
+    of their dimensions. */
 export interface LiveSetting {
   kind: InterfaceKind;
   sliders: string[];

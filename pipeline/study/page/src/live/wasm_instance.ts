@@ -52,7 +52,7 @@ export function wasmInstance(): WasmAnswer {
     return withBytes(exports, bytes, (place) => use(place, bytes.length));
   };
   const set = (exports: Exports, setting: { kind: string; sliders: string[]; values: number[] }) => {
-    const kind = ["adjectives", "features", "weights"].indexOf(setting.kind);
+    const kind = ["adjectives", "features", "weights", "modifications"].indexOf(setting.kind);
     if (kind < 0) throw new Error(`there is no interface "${setting.kind}"`);
     if (setting.sliders.length !== setting.values.length) throw new Error("give one value a slider");
     exports.live_set(kind);

@@ -160,7 +160,19 @@ export interface Adaptive {
   /** Numbers that increase with ease. */
   ease: number[];
   quest?: QuestGrid;
+  /** Of QUEST+; otherwise tracks show all trials of the plan. */
+  end?: QuestEnd;
   staircase?: StaircaseRule;
+}
+
+/**
+ * When a track of QUEST+ ends: once the standard deviation of the threshold, the level with this proportion of positive
+ * answers, is at most `deviation`, or after so many trials.
+ */
+export interface QuestEnd {
+  deviation: number;
+  proportion: number;
+  most_trials: number;
 }
 
 /** The values of the parameters of psychometric functions. */

@@ -479,6 +479,38 @@ TEST_F(ChainService, RefusesRecordsThatCannotBe) {
   EXPECT_EQ(ask("POST", of(0) + "step/trial-3", json::array()).status, 400);
 }
 
+constexpr char shared_recipes[] =
+    "{participants: 4, method: gibbs, words: [sad], space: {recipe: {of: normal, posture: "
+    "{head-flexion: [-10, 30]}, tempo: [0.7, 1.4]}}, across_participants: true, practice: 1}";
+
+class RecipeChainService : public ChainService {
+ protected:
+  RecipeChainService() : ChainService(shared_recipes) {}
+};
+
+/// Degrees and factors are beyond 0 to 1.
+TEST_F(RecipeChainService, TakesValuesInTheUnitsOfItsDimensions) {
+  begin(0);
+  begin(1);
+  std::set<double> given;
+  for (int turn = 0; turn < 4; ++turn) {
+    const int session = turn % 2, trial = 2 + turn / 2;
+    const json next = json::parse(step(session, trial).body);
+    const json& range =
+        study_.experiment.at("chains").at("dimensions").at(next.at("dimension").get<std::size_t>());
+    const double share = turn < 2 ? 0.0 : 1.0;
+    const HttpResponse kept = answer(session, trial, next, share);
+    ASSERT_EQ(kept.status, 200) << kept.body;
+    given.insert(range.at(share > 0.0 ? "high" : "low").get<double>());
+  }
+  EXPECT_EQ(given, (std::set<double>{-10.0, 0.7, 1.4, 30.0}));
+  write_file(folder_.path() / "steps.csv", steps_csv(study_, service_->sessions()));
+  const ChainExample again(shared_recipes);
+  const ChainAnswers read = read_chain_answers({folder_.path() / "steps.csv"}, again.study);
+  EXPECT_EQ(read.answers.size(), 4u);
+  chain_paths(again.study, true, read);
+}
+
 constexpr char checked_shared[] =
     "{participants: 6, method: gibbs, words: [sad, happy], space: {groups: [quickness, "
     "largeness]}, chains: 2, iterations: 3, across_participants: true, people_per_step: 3, "

@@ -161,8 +161,8 @@ TEST(TracksOfRecords, StateALevelAndShowItsFilms) {
   EXPECT_EQ(page.refusal(text), "this page has no trial");
 }
 
-TEST(TracksOfRecords, AreSkippedWhereTheTrackHasEndedAndOnlyThere) {
-  TrackRecords page("yes_no", "factor: dose, trials: 30, method: staircase, down: 1, reversals: 3");
+void expect_skipped_only_where_the_track_has_ended(const char* more) {
+  TrackRecords page("yes_no", more);
   int skipped = 0;
   for (const Trial& trial : page.plan().trials) {
     nlohmann::json ended = page.empty_record(fmt::format("trial-{}", trial.number));
@@ -179,7 +179,13 @@ TEST(TracksOfRecords, AreSkippedWhereTheTrackHasEndedAndOnlyThere) {
     EXPECT_EQ(rows_of(page.study().facts, page.plan(), trial, page.kept().back()).size(),
               has_ended ? 0u : 1u);
   }
-  EXPECT_GT(skipped, 15);
+  EXPECT_GT(skipped, 15) << more;
+}
+
+TEST(TracksOfRecords, AreSkippedWhereTheTrackHasEndedAndOnlyThere) {
+  expect_skipped_only_where_the_track_has_ended(
+      "factor: dose, trials: 30, method: staircase, down: 1, reversals: 3");
+  expect_skipped_only_where_the_track_has_ended("factor: dose, until: {sd: 0.6, at_most: 40}");
 }
 
 TEST(TracksOfRecords, WhoseFilmsCouldNotBePlayedDoNotMoveTheTrack) {

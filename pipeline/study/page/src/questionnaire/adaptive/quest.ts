@@ -1,4 +1,4 @@
-import type { LevelAnswer, QuestGrid } from "../experiment";
+import type { LevelAnswer, QuestEnd, QuestGrid } from "../experiment";
 
 /** Entropies that differ by less are equal; then the first level is shown. */
 const tie = 1e-12;
@@ -12,8 +12,10 @@ export class Quest {
   private negative: Float64Array[];
   private outcomeEntropy: Float64Array[];
   private points: number;
+  /** Of each point the level with the proportion of `end`; NaN if no level has it. */
+  private thresholds: Float64Array | undefined;
 
-  constructor(ease: number[], { location, width, guess, lapse }: QuestGrid) {
+  constructor(ease: number[], { location, width, guess, lapse }: QuestGrid, private end?: QuestEnd) {
     const grid = location.flatMap((alpha) => width.flatMap((beta) => guess.flatMap((gamma) =>
       lapse.map((lambda) => [alpha, beta, gamma, lambda] as const))));
     this.points = grid.length;
@@ -23,6 +25,12 @@ export class Quest {
       gamma + (1 - gamma - lambda) / (1 + Math.exp(-(level - alpha) / beta)));
     this.negative = table((level, [alpha, beta, gamma, lambda]) =>
       lambda + (1 - gamma - lambda) / (1 + Math.exp((level - alpha) / beta)));
+    if (end) {
+      this.thresholds = Float64Array.from(grid, ([alpha, beta, gamma, lambda]) => {
+        const share = (end.proportion - gamma) / (1 - gamma - lambda);
+        return share > 0 && share < 1 ? alpha + beta * Math.log(share / (1 - share)) : NaN;
+      });
+    }
     this.outcomeEntropy = this.positive.map((column, level) =>
       column.map((p, point) => entropyTerm(this.negative[level]![point]!) + entropyTerm(p)));
   }
@@ -36,6 +44,22 @@ export class Quest {
       posterior = product.map((p) => p / sum);
     }
     return posterior;
+  }
+
+  /** Whether a track has ended after these answers. */
+  hasEnded(answers: LevelAnswer[]): boolean {
+    if (!this.end || !answers.length) return false;
+    return answers.length >= this.end.most_trials || this.deviationAfter(answers) <= this.end.deviation;
+  }
+
+  /** The standard deviation of the threshold, of the functions that have one. */
+  private deviationAfter(answers: LevelAnswer[]): number {
+    const posterior = this.posteriorAfter(answers);
+    const sum = (value: (threshold: number) => number) => this.thresholds!.reduce(
+      (all, threshold, point) => (Number.isNaN(threshold) ? all : all + value(threshold) * posterior[point]!), 0);
+    const probability = sum(() => 1);
+    const mean = sum((threshold) => threshold) / probability;
+    return Math.sqrt(sum((threshold) => (threshold - mean) ** 2) / probability);
   }
 
   /** The place of the level with the least expected entropy after these answers. */

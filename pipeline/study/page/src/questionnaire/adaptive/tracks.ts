@@ -34,7 +34,7 @@ export class Tracks {
   constructor(
     private adaptive: Adaptive, private session: Session, records: Record<string, PageRecord>,
     answered: Record<string, LevelAnswer> = {}) {
-    if (adaptive.quest) this.quest = new Quest(adaptive.ease, adaptive.quest);
+    if (adaptive.quest) this.quest = new Quest(adaptive.ease, adaptive.quest, adaptive.end);
     for (const trial of session.trials) {
       const told = answered[`trial-${trial.number}`];
       if (told) this.answers.set(trial.number, told);
@@ -59,7 +59,7 @@ export class Tracks {
   private placeOf(trial: Trial): number | undefined {
     const earlier = this.session.trials.filter(({ track, number }) => track === trial.track && number < trial.number)
       .flatMap(({ number }) => this.answers.get(number) ?? []);
-    if (this.quest) return this.quest.placeAfter(earlier);
+    if (this.quest) return this.quest.hasEnded(earlier) ? undefined : this.quest.placeAfter(earlier);
     const { place, ended } = staircaseAfter(this.adaptive.staircase!, this.adaptive.levels.length, earlier);
     return ended ? undefined : place;
   }
