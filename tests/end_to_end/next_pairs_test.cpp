@@ -28,7 +28,7 @@ questionnaire:
 )";
 
 /// Two rounds of choices by simulated people.
-class NextPairs : public testing::Test {
+class RoundsOfPairs : public testing::Test {
  protected:
   void SetUp() override {
     const Ended made = run_mien({"study", "simulate", first, "-o", answers});
@@ -48,7 +48,7 @@ class NextPairs : public testing::Test {
   const std::string third = (folder.path() / "pairs-3.yaml").string();
 };
 
-TEST_F(NextPairs, FollowFromTheChoicesOfAllRoundsBefore) {
+TEST_F(RoundsOfPairs, FollowFromTheChoicesOfAllRoundsBefore) {
   const Ended chosen = next({answers, first, "-o", second, "--pairs", "3"});
   ASSERT_EQ(chosen.code, 0) << chosen.errors;
   EXPECT_EQ(chosen.output.find("simulated answers\n3 of 10 pairs of 5 stimuli"), 0u)
@@ -77,7 +77,7 @@ TEST_F(NextPairs, FollowFromTheChoicesOfAllRoundsBefore) {
   EXPECT_EQ(text_of(third), text);
 }
 
-TEST_F(NextPairs, AreRefusedBeforeAnythingIsWritten) {
+TEST_F(RoundsOfPairs, AreRefusedBeforeAnythingIsWritten) {
   const auto refused = [&](const std::vector<std::string>& words, const std::string& with) {
     const Ended ended = next(words);
     EXPECT_EQ(ended.code, 2) << ended.output;

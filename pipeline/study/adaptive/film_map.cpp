@@ -147,7 +147,7 @@ std::size_t draw_names(Canvas& canvas, const MapContent& content, const PlaneSca
     const auto& [name, is_chosen] = names[i];
     const Colour colour = is_chosen ? reference_colours.line : ink;
     const double away = std::hypot(nearest.x - points[i].at.x, nearest.y - points[i].at.y);
-    if (away > 8.0) canvas.line(points[i].at, nearest, {.width = 0.5, .colour = colour});
+    if (away > 5.6) canvas.line(points[i].at, nearest, {.width = 0.5, .colour = colour});
     canvas.text({label.x + 0.5, label.bottom() - 1.7}, name,
                 {.size = label_style.size, .colour = colour, .bold = is_chosen});
   }
