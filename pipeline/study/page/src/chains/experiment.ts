@@ -1,4 +1,4 @@
-import type { InterfaceKind } from "../live/core";
+import type { SettingKind } from "../live/core";
 import type { LiveExperiment } from "../live_study/experiment";
 
 /** Gibbs sampling with people (Harrison et al. 2020) or MCMC with people (Sanborn and Griffiths 2008). */
@@ -18,7 +18,7 @@ export interface ChainSettings {
   method: "gibbs" | "mcmc";
   /** Whether a server hands out each step; otherwise each participant has chains of their own. */
   across_participants: boolean;
-  kind: InterfaceKind;
+  kind: SettingKind;
   dimensions: Dimension[];
   /** As they are shown, by their ids. */
   words: Record<string, string>;

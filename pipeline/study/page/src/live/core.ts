@@ -1,7 +1,10 @@
 // Sliders in, motion out: what the matching experiment and the studio ask of the motion core, whether
 // it runs in the browser as WebAssembly (wasm_core.ts) or behind a server (served_core.ts).
 
-export type InterfaceKind = "adjectives" | "features" | "weights" | "modifications";
+export type InterfaceKind = "adjectives" | "features" | "weights";
+
+/** What sliders set: a blend, or modifications of one motion. */
+export type SettingKind = InterfaceKind | "modifications";
 
 export interface Slider {
   name: string;
@@ -61,7 +64,7 @@ export interface LiveDistance {
 /** Sliders of one interface, all of them that matter, and where they stand: 0 to 1; of modifications within the limits
     of their dimensions. */
 export interface LiveSetting {
-  kind: InterfaceKind;
+  kind: SettingKind;
   sliders: string[];
   values: number[];
 }
