@@ -48,16 +48,6 @@ motion::Vec3 captured_middle(const Stimulus& stimulus, const std::vector<motion:
   return count == 0 ? sum : motion::Vec3(sum / count);
 }
 
-/// The direction of the stage's front: +Z, or, if all people are where they were recorded, that
-/// from which the first is to the left of the second.
-motion::Vec3 front_of(const Stimulus& stimulus, const std::vector<motion::Clip>& clips) {
-  if (!std::ranges::all_of(stimulus.people, is_where_recorded)) return motion::Vec3::UnitZ();
-  const motion::Vec3 across = start_of(clips[1]) - start_of(clips[0]);
-  constexpr double together_m = 0.05;
-  if (across.norm() < together_m) return motion::Vec3::UnitZ();
-  return across.normalized().cross(motion::Vec3::UnitY());
-}
-
 /// The figure of a person; dots have its colour too.
 scenes::Figure figure_of(const Person& person, const Look& look) {
   scenes::Figure figure = person.figure ? *person.figure : look.figure;
@@ -113,11 +103,19 @@ scenes::Shot shot_of(const Stimulus& stimulus, const motion::Clip& clip, std::ui
   return scenes::stage(clip, framed_look(stimulus, seed, framing));
 }
 
+motion::Vec3 stage_front(const Stimulus& stimulus, const std::vector<motion::Clip>& people) {
+  if (!std::ranges::all_of(stimulus.people, is_where_recorded)) return motion::Vec3::UnitZ();
+  const motion::Vec3 across = start_of(people[1]) - start_of(people[0]);
+  constexpr double together_m = 0.05;
+  if (across.norm() < together_m) return motion::Vec3::UnitZ();
+  return across.normalized().cross(motion::Vec3::UnitY());
+}
+
 scenes::Shot shot_of(const Stimulus& stimulus, std::vector<motion::Clip> people, std::uint64_t seed,
                      const Framing& framing) {
   scenes::Look look = framed_look(stimulus, seed, framing);
   look.layout = scenes::Layout::as_recorded;
-  look.forward = front_of(stimulus, people);
+  look.forward = stage_front(stimulus, people);
   std::vector<scenes::Performance> performances;
   for (std::size_t i = 0; i < people.size(); ++i) {
     const Person& person = stimulus.people[i];

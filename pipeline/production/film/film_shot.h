@@ -28,9 +28,14 @@ scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t s
 /// Returns the clip that the film of a stimulus with one motion shows on its set. Throws Error.
 motion::Clip staged_clip(const Stimulus& stimulus, FinishedMotions& motions);
 
-/// Returns the clips of a stimulus's people (people_clips) where they are on the stage, whose front
-/// is towards +Z unless all people are where they were recorded. Throws Error.
+/// Returns the clips of a stimulus's people (people_clips) where they are on the stage. Throws
+/// Error.
 std::vector<motion::Clip> placed_people(const Stimulus& stimulus, FinishedMotions& motions);
+
+/// Returns the horizontal direction from the stage to its front camera, unit, for clips of
+/// placed_people: +Z or, if all people are where they were recorded, that from which the first
+/// begins to the left of the second.
+motion::Vec3 stage_front(const Stimulus& stimulus, const std::vector<motion::Clip>& people);
 
 /// Returns a stimulus's motion, or its people, on its stage. `seed` is the production's seed.
 /// Throws Error if the look is not available.

@@ -16,10 +16,11 @@ namespace mien::pipeline {
 /// features, weights, files and paths, and for examples, for which `stimulus` is nullptr.
 std::string ratings_of(const Stimulus* stimulus, Motions& motions);
 
-/// Returns the source of a motion: "adjectives", "features", "weights", "clip" or "path".
+/// Returns the source of a motion: "adjectives", "features", "weights", "clip", "path" or, of a
+/// stimulus with several, "people".
 std::string_view source_of(const Stimulus& stimulus);
 
-/// Returns the stimuli with that source.
+/// Returns the stimuli and people with that source.
 std::vector<const Stimulus*> stimuli_from(const Manifest& manifest, std::string_view source);
 
 /// Returns the method by which the weights were computed, "direct" for given weights; empty for a

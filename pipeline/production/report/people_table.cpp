@@ -7,6 +7,7 @@
 
 #include "motion/lint/people_contact.h"
 #include "motion/math/geometry.h"
+#include "motion/math/rotation.h"
 #include "motion/skeleton/body.h"
 #include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_shot.h"
@@ -22,7 +23,7 @@ namespace {
 struct ShownPerson {
   const Stimulus& stimulus;
   std::size_t number;
-  motion::Vec3 begins;
+  motion::Vec3 begins;  ///< as the front camera sees it: to the right, up, towards it
   double turn_degrees;
   std::string nearest;  ///< name of the person whose hand comes nearest
   std::optional<motion::NearestHands> hands;
@@ -84,10 +85,12 @@ std::vector<ShownPerson> shown_people(const Manifest& manifest, Motions& motions
   for (const Stimulus& stimulus : manifest.stimuli) {
     if (stimulus.people.empty()) continue;
     const std::vector<motion::Clip> clips = placed_people(stimulus, motions);
+    const motion::Quat to_camera = motion::heading(stage_front(stimulus, clips)).conjugate();
     for (std::size_t i = 0; i < clips.size(); ++i) {
-      const motion::Vec3 forward = scenes::action_of(clips[i]).forward;
+      const motion::Vec3 forward = to_camera * scenes::action_of(clips[i]).forward;
       const double turn = std::atan2(forward.x(), forward.z()) / motion::radians_per_degree;
-      ShownPerson shown{stimulus, i, clips[i].poses.front().root_position, turn, "", {}};
+      const motion::Vec3 begins = to_camera * clips[i].poses.front().root_position;
+      ShownPerson shown{stimulus, i, begins, turn, "", {}};
       find_nearest_hand(clips, shown);
       rows.push_back(std::move(shown));
     }

@@ -13,20 +13,20 @@
 namespace mien::pipeline {
 namespace {
 
-ManifestReading reading_of(const std::string& stimuli) {
+ManifestReading people_reading(const std::string& stimuli) {
   return parse_manifest(
       "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n" + stimuli,
       "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
 }
 
-Manifest parsed(const std::string& stimuli) {
-  ManifestReading reading = reading_of(stimuli);
+Manifest people_manifest(const std::string& stimuli) {
+  ManifestReading reading = people_reading(stimuli);
   EXPECT_TRUE(reading.faults.empty()) << Faults(reading.faults).what();
   return std::move(reading.manifest);
 }
 
-std::string faults_of(const std::string& stimuli) {
-  return Faults(reading_of(stimuli).faults).what();
+std::string people_faults(const std::string& stimuli) {
+  return Faults(people_reading(stimuli).faults).what();
 }
 
 constexpr char two_pairs[] =
@@ -38,7 +38,7 @@ constexpr char two_pairs[] =
 std::string example_of(const Person& person) { return person.motion.weights.at(0).first; }
 
 TEST(PeopleOfAStimulus, AreNamedByTheirNumberAndHaveMotionsOfTheirOwn) {
-  const Manifest manifest = parsed(
+  const Manifest manifest = people_manifest(
       "  - {id: walk, weights: {sad: 1}}\n"
       "  - id: greet\n"
       "    interpolation: {foot_lock: false}\n"
@@ -60,7 +60,7 @@ TEST(PeopleOfAStimulus, AreNamedByTheirNumberAndHaveMotionsOfTheirOwn) {
 }
 
 TEST(PeopleOfAStimulus, AreWrittenAndReadAgain) {
-  const Manifest manifest = parsed(
+  const Manifest manifest = people_manifest(
       "  - id: greet\n"
       "    look: {figure: mannequin}\n"
       "    people:\n"
@@ -84,7 +84,7 @@ TEST(PeopleOfAStimulus, ExchangeTheirMotionsAsSwapSays) {
       std::string(two_pairs).replace(std::string(two_pairs).find("  - id: two"), 11,
                                      "    swap: {b: two}\n  - id: two") +
       "    swap: {b: one, a: one.b}\n";
-  const Manifest manifest = parsed(pairs);
+  const Manifest manifest = people_manifest(pairs);
   const auto& [one, two] = std::pair(manifest.stimuli[0].people, manifest.stimuli[1].people);
   EXPECT_EQ(example_of(one[0]), "sad");
   EXPECT_EQ(example_of(one[1]), "tired");
@@ -103,7 +103,7 @@ TEST(PeopleOfAStimulus, ExchangeTheirMotionsAsSwapSays) {
 
 TEST(PeopleOfAStimulus, AreRefusedASwapWithNobody) {
   const auto with_swap = [](const std::string& swap) {
-    return faults_of(std::string(two_pairs) + "    swap: " + swap + "\n");
+    return people_faults(std::string(two_pairs) + "    swap: " + swap + "\n");
   };
   EXPECT_NE(with_swap("{c: one}")
                 .find("m.yaml:9:12: stimuli[1].swap.c: \"c\" is not a person of "
@@ -112,14 +112,15 @@ TEST(PeopleOfAStimulus, AreRefusedASwapWithNobody) {
       << with_swap("{c: one}");
   EXPECT_NE(with_swap("{a: ones}").find("did you mean \"one\"?"), std::string::npos);
   EXPECT_NE(with_swap("{a: two}").find("this is the person's own motion"), std::string::npos);
-  EXPECT_NE(faults_of("  - {id: a, weights: {sad: 1}, swap: {a: b}}\n").find("there are no people"),
-            std::string::npos);
+  EXPECT_NE(
+      people_faults("  - {id: a, weights: {sad: 1}, swap: {a: b}}\n").find("there are no people"),
+      std::string::npos);
 }
 
 TEST(PeopleOfAStimulus, KeepTheirSpaceUnlessSomebodyFromAFileHasAPlace) {
   const auto keeps = [](const std::string& people) {
     return keeps_captured_space(
-        reading_of("  - {id: a, people: [" + people + "]}\n").manifest.stimuli.at(0));
+        people_reading("  - {id: a, people: [" + people + "]}\n").manifest.stimuli.at(0));
   };
   EXPECT_TRUE(keeps("{clip: a.bvh}, {clip: b.bvh}"));
   EXPECT_TRUE(keeps("{clip: a.bvh}, {clip: b.bvh}, {weights: {sad: 1}, place: {x: 2}}"));

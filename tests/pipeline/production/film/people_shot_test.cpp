@@ -12,8 +12,10 @@
 #include "motion/procedural/builtin_sets.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/recording.h"
+#include "pipeline/base/documents/csv.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/report/tables.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
 #include "render/scene/camera.h"
@@ -146,6 +148,28 @@ TEST_F(PeopleShot, IsSeenFromWhereTheFirstIsToTheLeftOfTheSecond) {
     };
     EXPECT_LT(across(0) + 20.0f, across(1)) << people;
   }
+}
+
+/// The value of a column in the row of a person.
+double table_value(const CsvTable& table, std::size_t row, const char* column) {
+  return std::stod(
+      table.rows.at(row)[static_cast<std::size_t>(require_column(table, column))].text);
+}
+
+TEST_F(PeopleShot, IsDescribedInATableAsTheFrontCameraSeesIt) {
+  const Manifest manifest = manifest_of("{clip: ann.bvh}, {clip: bo.bvh}");
+  Motions motions(manifest);
+  const CsvTable table = parse_csv(people_table.csv(manifest, motions), "people.csv");
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_LT(table_value(table, 0, "x_m"), -0.1);
+  EXPECT_NEAR(table_value(table, 0, "x_m") + table_value(table, 1, "x_m"), 0.0, 2e-4);
+  for (const std::size_t row : {0u, 1u}) {
+    EXPECT_NEAR(table_value(table, row, "z_m"), 0.0, 2e-4);
+    EXPECT_LT(table_value(table, row, "nearest_hand_m"), hands_meet_m);
+  }
+  // They go in opposite directions.
+  const double between = table_value(table, 0, "turn_deg") - table_value(table, 1, "turn_deg");
+  EXPECT_NEAR(std::abs(between), 180.0, 0.5);
 }
 
 TEST_F(PeopleShot, HasEverybodyInThePictureAtAllTimes) {
