@@ -53,8 +53,9 @@ TEST_F(NextRound, FollowsFromTheAnswersOfAllRoundsBefore) {
   const std::string more = (folder.path() / "answers-2.csv").string();
   ASSERT_EQ(run_mien({"study", "simulate", second, "-o", more}).code, 0);
   const fs::path tables = folder.path() / "tables";
+  const std::string map = (folder.path() / "known.svg").string();
   const Ended again = next({second, answers, more, "-o", third, "--films", "2", "--highest",
-                            "sad-happy", "--tables", tables.string()});
+                            "sad-happy", "--tables", tables.string(), "--show", map});
   ASSERT_EQ(again.code, 0) << again.errors;
   EXPECT_EQ(again.errors, "");
   const std::string text = text_of(third);
@@ -65,8 +66,13 @@ TEST_F(NextRound, FollowsFromTheAnswersOfAllRoundsBefore) {
   const std::string listed = text_of(tables / "next_films.csv");
   EXPECT_EQ(std::count(listed.begin(), listed.end(), '\n'), 1 + 2 * 2) << listed;
   const std::string codebook = text_of(tables / "codebook.csv");
-  for (const char* table : {"next_films.csv,", "known_films.csv,"})
+  for (const char* table : {"next_films.csv,", "known_films.csv,", "rounds.csv,"})
     EXPECT_NE(codebook.find(table), std::string::npos) << codebook;
+  const std::string rounds = text_of(tables / "rounds.csv");  // two rounds and scales
+  EXPECT_EQ(std::count(rounds.begin(), rounds.end(), '\n'), 1 + 2 * 2) << rounds;
+  EXPECT_NE(rounds.find("\n2,slow-fast,3,18,"), std::string::npos) << rounds;
+  EXPECT_NE(again.output.find("after the next"), std::string::npos) << again.output;
+  EXPECT_NE(text_of(map).find("<svg"), std::string::npos);
   EXPECT_NE(text_of(tables / "known_films.csv").find("normal 1,sad-happy,"), std::string::npos);
   // Again: the same bytes, over the same file.
   EXPECT_EQ(
@@ -98,6 +104,7 @@ TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
   refused({answers, first, "-o", second, "--lowest", "sad"}, "no scale \"sad\"");
   refused({first, "-o", second}, "no answers were given");
   refused({answers, first, "-o", second, "--features", "niceness"}, "niceness");
+  refused({answers, first, "-o", second, "--show", "known.gif"}, ".png, .svg or .pdf");
   refused({answers, first, "-o", answers}, "exists already, but holds something else");
   const std::string planned =
       folder

@@ -151,7 +151,9 @@ ExpectedComparison expected_comparison(const PairPosterior& posterior, std::size
 double expected_gain(const PairPosterior& posterior, std::size_t first, std::size_t second,
                      double answers) {
   const PairUpdate update = pair_update(posterior, first, second, answers);
-  return update.factor * (update.column.array() - update.column.mean()).square().sum();
+  // The column has a sum of 0, since comparisons say nothing about the sum of the worths: these are
+  // variances about the mean.
+  return update.factor * update.column.squaredNorm();
 }
 
 void expect_answers(PairPosterior& posterior, std::size_t first, std::size_t second,

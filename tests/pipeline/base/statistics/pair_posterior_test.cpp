@@ -86,6 +86,7 @@ TEST(PairPosterior, CountsATieAsHalfAChoiceOfEachAndIgnoresOrder) {
       pair_posterior({{.first = 1, .second = 0, .first_wins = 4.0, .second_wins = 4.0}}, 2);
   EXPECT_TRUE(tied.mean.isZero(1e-12));
   EXPECT_TRUE(tied.covariance.isApprox(split.covariance, 1e-12));
+  EXPECT_NEAR(tied.log_evidence, split.log_evidence, 1e-9);
 }
 
 // Of two stimuli, so is the evidence: the probability of the answers in their order.
