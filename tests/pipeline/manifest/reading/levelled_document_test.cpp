@@ -224,6 +224,12 @@ TEST(StimulusLevels, TellWhatIsWrongWhereTheAuthorWroteIt) {
       {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
        "modify.strength, values: [0, 1]}}",
        "stimuli[0].levels.of", "name one of them"},
+      {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
+       "'modify[x].strength', values: [0, 1]}}",
+       "stimuli[0].levels.of", "name one of them"},
+      {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
+       "'modify[1].strength', values: [0, 1]}}",
+       "stimuli[0].levels.of", "there is no element [1]"},
       {"  - {id: b, weights: {sad: 1}}\n" + sad +
            "{factor: d, of: modify.strength, values: [0.1, "
            "0.2]}}\n  - {id: a-0.1, weights: {sad: 1}}",
