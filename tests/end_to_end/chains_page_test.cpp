@@ -198,6 +198,20 @@ TEST_F(ChainsPage, ChoicesLeadTheirChainsWithoutAServer) {
   expect_results(told);
 }
 
+TEST_F(ChainsPage, ModificationsLeadTheirChainsWithoutAServer) {
+  std::string text = std::string(adaptive_text) + gibbs;
+  text.replace(text.find("{groups: all}"), 13,
+               "{recipe: {of: normal, emotions: {sad: [0, 1.5], angry: [0, 1]}, posture: "
+               "{head-flexion: [-10, 30]}, tempo: [0.7, 1.4]}}");
+  scratch.write("study.yaml", text);
+  if (!is_exported()) GTEST_SKIP() << no_browser_core;
+  const json told = played("whole");
+  EXPECT_EQ(told.at("requests"), 0);
+  expect_planned(by_trial(told));
+  expect_chosen(told);
+  expect_results(told);
+}
+
 TEST_F(ChainsPage, GoesOnAfterAReloadWhereItsChainsWere) {
   for (const char* method : {gibbs, choices}) {
     use(method);

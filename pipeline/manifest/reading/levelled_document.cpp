@@ -78,6 +78,14 @@ struct PathPart {
   std::optional<std::size_t> index;
 };
 
+/// "[1]"
+bool is_index(std::string_view part) {
+  constexpr std::size_t brackets = 2;
+  return part.size() > brackets && part.starts_with('[') && part.ends_with(']') &&
+         std::ranges::all_of(part.substr(1, part.size() - brackets),
+                             [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// "modify[1].strength" as modify, 1, strength. The name of an example may hold dots.
 std::vector<PathPart> parts_of(std::string_view path) {
   if (path.starts_with(weights_part))
@@ -87,7 +95,7 @@ std::vector<PathPart> parts_of(std::string_view path) {
     const std::size_t end = std::min(path.find_first_of(".[", 1), path.size());
     std::string_view part = path.substr(0, end);
     path.remove_prefix(end);
-    if (part.starts_with('[') && part.ends_with(']')) {
+    if (is_index(part)) {
       const std::string digits(part.substr(1, part.size() - 2));
       parts.push_back({"", std::strtoul(digits.c_str(), nullptr, 10)});
       continue;

@@ -214,6 +214,9 @@ TEST(StimulusLevels, TellWhatIsWrongWhereTheAuthorWroteIt) {
       {sad + "{factor: d, of: modify.strength, values: {from: 0, to: 1, steps: 101}}}",
        "stimuli[0].levels.values.steps", "100"},
       {sad + "{factor: d, of: modify.strength}}", "stimuli[0].levels", "values"},
+      {"  - {id: a, weights: {normal: 1}, levels: {factor: d, of: output.cycles, values: {from: 1, "
+       "to: 9, steps: 6}}}",
+       "stimuli[0].output.cycles", "must be a whole number"},
       {"  - {id: a, weights: {normal: 1}, levels: {factor: d, of: weights.sad, values: [0, 2]}}",
        "stimuli[0].levels.of", "the weight 2 is not from 0 to 1"},
       {"  - {id: a, weights: {sad: 1}, levels: {factor: d, of: weights.sad, values: [0, 1]}}",
@@ -221,6 +224,12 @@ TEST(StimulusLevels, TellWhatIsWrongWhereTheAuthorWroteIt) {
       {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
        "modify.strength, values: [0, 1]}}",
        "stimuli[0].levels.of", "name one of them"},
+      {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
+       "'modify[x].strength', values: [0, 1]}}",
+       "stimuli[0].levels.of", "name one of them"},
+      {"  - {id: a, weights: {normal: 1}, modify: [{emotion: sad}], levels: {factor: d, of: "
+       "'modify[1].strength', values: [0, 1]}}",
+       "stimuli[0].levels.of", "there is no element [1]"},
       {"  - {id: b, weights: {sad: 1}}\n" + sad +
            "{factor: d, of: modify.strength, values: [0.1, "
            "0.2]}}\n  - {id: a-0.1, weights: {sad: 1}}",

@@ -234,6 +234,11 @@ bool remove_at(json& node, const std::vector<std::string>& steps, std::size_t de
     node.erase(index);
     return true;
   }
+  // What is at fault but not written stands where a level sets it.
+  if (node.is_object() && !node.contains(step) && node.contains("levels")) {
+    node.erase("levels");
+    return true;
+  }
   if (!node.is_object() || !node.contains(step)) return false;
   if (remove_at(node[step], steps, depth + 1)) return true;
   if (std::ranges::find(needed, step) != needed.end()) return false;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/manifest/checks/checked_manifest.h"
+#include "pipeline/manifest/reading/levelled_document.h"
 #include "pipeline/production/run/random_manifest.h"
 #include "pipeline/production/run/rehearsal.h"
 #include "pipeline/production/run/run.h"
@@ -23,7 +24,8 @@ using nlohmann::json;
 std::vector<Fault> faults_of(const json& document, const fs::path& file) {
   std::ofstream(file) << document.dump(1);
   const ManifestReading reading = check_manifest(file, process_environment(), "out");
-  return reading.faults.empty() ? rehearse(reading.manifest) : reading.faults;
+  if (!reading.faults.empty()) return reading.faults;
+  return with_written_paths(rehearse(reading.manifest), reading.manifest.origins);
 }
 
 /// The manifest of a seed, written to `file` without the options that its check refuses; false when
