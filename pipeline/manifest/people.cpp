@@ -66,6 +66,10 @@ void swap_motion(Stimulus& stimulus, const std::string& name, const std::string&
   }
   const Stimulus* source = named_motion(stated, from, name);
   if (source == nullptr) {
+    const auto film = std::ranges::find(stated, from, &Stimulus::id);
+    if (film != stated.end() && !film->people.empty())
+      return list.add(at, from + " has no person " + motion::in_quotes(name),
+                      "name one of its people, such as " + film->people.front().motion.id);
     return list.add(at,
                     motion::in_quotes(from) +
                         " is neither a stimulus with one motion or a person " +

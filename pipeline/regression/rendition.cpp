@@ -208,22 +208,23 @@ StimulusFacts facts_of(const std::string& id, Rendition& rendition) {
   const Stimulus& stimulus = *find_stimulus(rendition.manifest(), id);
   const motion::Clip& clip = rendition.clip_of(id);
   const Synthesis& made = rendition.motions().of(id);
-  StimulusFacts facts{.id = id,
-                      .edition = {},
-                      .origin = this_origin(),
-                      .settings = settings_of(stimulus, rendition.manifest(), rendition.files()),
-                      .weights = {},
-                      .requested = made.requested,
-                      .reached = made.reached,
-                      .findings = {},
-                      .motion = digest_of(clip),
-                      .scene = rendition.scene_key(id),
-                      .drawing = rendition.drawing_key(id),
-                      .frames = clip.frame_count(),
-                      .fps = clip.frames_per_second,
-                      .limits = stimulus.regression,
-                      .key_frames = {},
-                      .videos = {}};
+  StimulusFacts facts{
+      .id = id,
+      .edition = {},
+      .origin = this_origin(),
+      .settings = settings_of(stimulus_of(rendition, id), rendition.manifest(), rendition.files()),
+      .weights = {},
+      .requested = made.requested,
+      .reached = made.reached,
+      .findings = {},
+      .motion = digest_of(clip),
+      .scene = rendition.scene_key(id),
+      .drawing = rendition.drawing_key(id),
+      .frames = clip.frame_count(),
+      .fps = clip.frames_per_second,
+      .limits = stimulus.regression,
+      .key_frames = {},
+      .videos = {}};
   if (made.weights.size() > 0) facts.weights = weights_of(made, rendition.motions().repertoire());
   for (const motion::Finding& finding : made.findings) facts.findings.push_back(finding.sentence);
   return facts;

@@ -115,7 +115,8 @@ double effective_sample_size(const ChainValues& chains) {
     if (pair < 0.0) break;
     sum += pair;
   }
-  return std::min(all, all / (1.0 + 2.0 * sum));
+  // Values that alternate would count for more than they are, without bound.
+  return all / std::max(1.0, 1.0 + 2.0 * sum);
 }
 
 ChainMean chain_mean(const ChainValues& chains, double confidence) {

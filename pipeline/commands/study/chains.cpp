@@ -45,10 +45,13 @@ std::string number_text(double value, const char* form) {
 void show(const ChainResults& results, const Console& console) {
   if (results.simulated) console.out << "simulated answers\n";
   for (const WordSamples& word : results.words) {
+    const int sweeps = word.discarded + word.samples / word.chains;
     console.out << fmt::format(
-        "{}: {}, {}\n", word.word,
+        "{}: {}, {} ({} {} to {})\n", word.word,
         counted_noun(static_cast<std::size_t>(word.chains), "chain", "chains"),
-        counted_noun(static_cast<std::size_t>(word.samples), "sample", "samples"));
+        counted_noun(static_cast<std::size_t>(word.samples), "sample", "samples"),
+        results.design.method == ChainMethod::gibbs ? "sweeps" : "choices", word.discarded + 1,
+        sweeps);
     for (std::size_t d = 0; d < word.dimensions.size(); ++d) {
       const DimensionSamples& of = word.dimensions[d];
       const bool has_ends = std::isfinite(of.mean.ends.low);
@@ -78,6 +81,15 @@ void remark(const ChainResults& results, const Adaptive& adaptive, const Console
         adaptive.across_participants      ? "; answers before that are part of the chains"
         : results.inattentive.size() == 1 ? " and is left out"
                                           : " and are left out");
+  if (results.design.until)
+    for (const WordSamples& word : results.words) {
+      double largest = 0.0;
+      for (const DimensionSamples& of : word.dimensions) largest = std::max(largest, of.r_hat);
+      if (largest > results.design.until->r_hat)
+        console.err << fmt::format(
+            "note: the chains of {} have not ended by until: R̂ is up to {:.2f}, above {:g}\n",
+            word.word, largest, results.design.until->r_hat);
+    }
   for (const WordSamples& word : results.words) {
     double worst = 0.0;
     for (const DimensionSamples& of : word.dimensions)

@@ -144,7 +144,8 @@ int simulate_chains(const SimulateCommand& command, const Manifest& manifest,
   Motions motions(manifest);
   const ChainStudy study = chain_study(manifest, motions, command.participants);
   const std::vector<ChainAnswer> answers =
-      simulated_chains(study, manifest.adaptive->across_participants, usual_truth(study));
+      simulated_chains(study, manifest.adaptive->across_participants, usual_truth(study),
+                       command.people.attention_pass_rate);
   return put_answers(
       command, manifest, chain_steps_csv(answers, study.design),
       fmt::format("{} simulated participants, {} trials", study.sessions.size(), answers.size()),

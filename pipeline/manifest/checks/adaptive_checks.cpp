@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <string>
 
@@ -38,6 +39,8 @@ class AdaptiveExperimentCheck {
                                         : "there is also a matching experiment",
                 "a manifest has one of them; use separate manifests");
     check_kinds();
+    check_words();
+    check_examples();
     check_dimensions();
     check_settings();
     check_until();
@@ -61,6 +64,31 @@ class AdaptiveExperimentCheck {
                   ? "no dimensions"
                   : fmt::format("dimensions of several kinds: {}", fmt::join(given, ", ")),
               "name one of groups, scales, features, weights, components and recipe");
+  }
+
+  void check_words() {
+    std::set<std::string> taken;
+    for (const auto& [id, shown] : adaptive_.words) {
+      std::string lower = id;
+      for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (!taken.insert(lower).second)
+        list_.add(at("words"), fmt::format("{} appears twice", id),
+                  "name it once; ids that differ in capitals alone count as the same");
+      if (id == "practice" || id == "check")
+        list_.add(at("words"), fmt::format("{} is the name of other trials", id),
+                  "use another id: {id: word}");
+    }
+  }
+
+  void check_examples() {
+    if (!manifest_.places.values.contains("examples"))
+      return list_.add("adaptive", "there are no examples of which motions could be made",
+                       "add examples: {set: builtin:walks-10, ratings: builtin}, or your own");
+    const bool needs_ratings =
+        adaptive_.space.kind == Kind::groups || adaptive_.space.kind == Kind::scales;
+    if (needs_ratings && manifest_.ratings.source == Ratings::Source::none)
+      list_.add(at("space"), "the examples have no ratings",
+                "add ratings to the examples, or use features, weights or components");
   }
 
   void check_dimensions() {
@@ -171,7 +199,7 @@ class AdaptiveExperimentCheck {
     if (!is_gibbs && adaptive_.people_per_step > 1)
       list_.add(at("people_per_step"), "choices of several people cannot be combined",
                 "remove it, or use method: gibbs");
-    if (adaptive_.people_per_step > adaptive_.participants)
+    if (adaptive_.people_per_step > 1 && adaptive_.people_per_step > adaptive_.participants)
       list_.add(at("people_per_step"), "is more than the number of participants",
                 "plan for more participants, or for fewer people per step");
   }
@@ -194,11 +222,6 @@ class AdaptiveExperimentCheck {
   }
 
   void check_attention() {
-    for (std::size_t i = 0; i < adaptive_.words.size(); ++i)
-      if (adaptive_.words[i].first == "practice" || adaptive_.words[i].first == "check")
-        list_.add(at("words"),
-                  fmt::format("{} is the name of other trials", adaptive_.words[i].first),
-                  "use another id: {id: word}");
     if (adaptive_.attention_every == 0 &&
         manifest_.places.values.contains(member_path(at("attention"), "max_failed_checks")))
       list_.add(member_path(at("attention"), "max_failed_checks"),

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/lint/people_contact.h"
+#include "motion/biomechanics/people_contact.h"
 
 namespace mien::pipeline {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/lint/people_contact.h"
+#include "motion/biomechanics/people_contact.h"
 #include "motion/math/geometry.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/body.h"

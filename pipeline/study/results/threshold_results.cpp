@@ -110,7 +110,10 @@ class ThresholdEstimator {
     const QuestPlus& quest = levels_.quest();
     const ThresholdPosterior found =
         threshold_posterior(quest, posterior_after(quest, answers), design_.proportion);
-    estimate.quest_mean = ease_of(found.mean);
+    // Beyond the levels nothing is known: the prior distribution ends there, and the posterior one
+    // becomes narrow at the end.
+    const auto [least, most] = std::ranges::minmax(quest.stimuli);
+    if (found.low > least && found.high < most) estimate.quest_mean = ease_of(found.mean);
     estimate.quest_ends = of_levels({found.low, found.high});
   }
 

@@ -24,7 +24,7 @@ struct ThresholdEstimate {
   IntervalEnds slope_ends;            ///< 95 %, bootstrap
   double deviance_p;
   /// QUEST+ only, otherwise NaN: mean of the posterior distribution of the threshold, and its 95 %
-  /// credible interval.
+  /// credible interval. The mean is NaN if the interval reaches an end of the levels.
   double quest_mean;
   IntervalEnds quest_ends;
   double reversal_mean;  ///< staircases only, otherwise NaN: mean over the estimates of tracks

@@ -17,8 +17,6 @@ namespace mien::pipeline {
 namespace {
 
 constexpr double usual_deviation = 0.12;
-/// The probability of passing an attention check, as in simulated questionnaires.
-constexpr double attention_pass_rate = 0.98;
 constexpr double usual_place = 0.8;
 
 /// A value of a normal distribution truncated to a range, at a share of its probability.
@@ -43,8 +41,12 @@ double log_density(const WordTruth& truth, const std::vector<double>& point) {
 /// Answers the trials of all sessions.
 class Simulation {
  public:
-  Simulation(const ChainStudy& study, const std::map<std::string, WordTruth>& truth)
-      : study_(study), design_(study.design), truth_(truth) {}
+  Simulation(const ChainStudy& study, const std::map<std::string, WordTruth>& truth,
+             double attention_pass_rate)
+      : study_(study),
+        design_(study.design),
+        truth_(truth),
+        attention_pass_rate_(attention_pass_rate) {}
 
   /// The answer to a step at a point; `who` names its random numbers.
   ChainRecord answered(const PlannedStep& step, int person, const std::vector<double>& point,
@@ -82,7 +84,7 @@ class Simulation {
     const bool is_left = expected == word_of(check_side_words, CheckSide::left);
     const bool passes =
         uniform(design_.seed, fmt::format("attention of {} trial {}", session.plan.participant,
-                                          trial)) < attention_pass_rate;
+                                          trial)) < attention_pass_rate_;
     if (design_.method == ChainMethod::gibbs) {
       record.dimension = step.view.dimension;
       record.slider = step.view.slider;
@@ -160,6 +162,7 @@ class Simulation {
   const ChainStudy& study_;
   const ChainDesign& design_;
   const std::map<std::string, WordTruth>& truth_;
+  double attention_pass_rate_;
 };
 
 /// Participants take turns, one trial each.
@@ -253,8 +256,9 @@ std::map<std::string, WordTruth> usual_truth(const ChainStudy& study) {
 }
 
 std::vector<ChainAnswer> simulated_chains(const ChainStudy& study, bool across_participants,
-                                          const std::map<std::string, WordTruth>& truth) {
-  const Simulation simulation(study, truth);
+                                          const std::map<std::string, WordTruth>& truth,
+                                          double attention_pass_rate) {
+  const Simulation simulation(study, truth, attention_pass_rate);
   std::vector<ChainAnswer> answers;
   for (const ChainSession& session : study.sessions)
     std::ranges::move(simulation.planned_answers(session, across_participants),

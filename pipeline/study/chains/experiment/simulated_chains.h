@@ -26,6 +26,7 @@ std::map<std::string, WordTruth> usual_truth(const ChainStudy& study);
 /// between two motions, by the ratio of their probabilities (Luce's rule). Across participants, all
 /// of them take turns, one trial each, until their trials or the chains are complete.
 std::vector<ChainAnswer> simulated_chains(const ChainStudy& study, bool across_participants,
-                                          const std::map<std::string, WordTruth>& truth);
+                                          const std::map<std::string, WordTruth>& truth,
+                                          double attention_pass_rate = 0.98);
 
 }  // namespace mien::pipeline

@@ -89,6 +89,9 @@ TEST(EffectiveSampleSize, IsThatOfAutocorrelation) {
   // (1 − ρ)/(1 + ρ) of all values.
   EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.5, 0.0)), 16000.0 / 3.0, 700.0);
   EXPECT_NEAR(effective_sample_size(correlated_chains(8, 2000, 0.8, 0.0)), 16000.0 / 9.0, 300.0);
+  // Of values that alternate, no more than there are, and never a negative number.
+  EXPECT_DOUBLE_EQ(effective_sample_size({{1, 4, 1, 4, 1, 4}, {4, 1, 4, 1, 4, 2}}), 12.0);
+  EXPECT_DOUBLE_EQ(effective_sample_size({{1, 9}, {8, 2}}), 4.0);
   // Chains that are apart tell little about what they have in common.
   EXPECT_LT(effective_sample_size(correlated_chains(8, 200, 0.0, 3.0)), 20.0);
   EXPECT_TRUE(std::isnan(effective_sample_size({{1, 1}, {2, 2}})));

@@ -59,7 +59,10 @@ std::size_t compared_through_both_doors(const fs::path& file) {
   StudioMotions studio(reader);
   const nlohmann::ordered_json document = opened.state().document;
   Motions run(checked.manifest);
+  std::size_t compared = 0;
   for (const Stimulus& stimulus : checked.manifest.stimuli) {
+    if (!stimulus.people.empty()) continue;  // the studio shows one motion
+    ++compared;
     const Synthesis& made = run.of(stimulus.id);
     const std::string expected = motion::to_message(
         motion::LiveMotion{made.motion, made.weights, motion::foot_plants(made.motion.clip)});
@@ -71,7 +74,7 @@ std::size_t compared_through_both_doors(const fs::path& file) {
       ADD_FAILURE() << name << ": " << faults.list().front().wrong;
     }
   }
-  return checked.manifest.stimuli.size();
+  return compared;
 }
 
 TEST(StudioMotions, OfAllManifestsThatComeAlongAreThoseOfARun) {

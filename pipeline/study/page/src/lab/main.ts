@@ -8,7 +8,7 @@ const refreshMilliseconds = 3000;
 /** Words of states, in the order in which participants are listed. */
 const states: Record<Participant["state"], string> = {
   here: "here", away: "away", opened: "opened, not agreed", waiting: "personal link not opened", done: "done", refused: "refused",
-  screened_out: "screened out", withdrawn: "withdrawn",
+  screened_out: "screened out", failed_attention: "failed attention checks", withdrawn: "withdrawn",
 };
 const order = Object.keys(states);
 
@@ -59,6 +59,7 @@ function showOverview(status: LabStatus): void {
   const numbers: [string, number | string][] = [["Planned", status.planned], ["Here now", count("here")], ["Done", count("done")],
     ["Away", count("away")], ["Refused", count("refused") + status.refused_at_join], ["Screened out", count("screened_out")],
     ["Withdrawn", count("withdrawn")]];
+  if (status.is_adaptive) numbers.push(["Failed checks", count("failed_attention")]);
   if (isQuestionnaire(status)) numbers.push(["Answers", answers]);
   if (status.steps[1] > 0) numbers.push(["Steps of chains", `${status.steps[0]} of ${status.steps[1]}`]);
   const list = at("overview");

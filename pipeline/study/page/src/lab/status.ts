@@ -23,7 +23,7 @@ export interface LabStatus {
 export interface Participant {
   participant: string;
   link: string;
-  state: "waiting" | "opened" | "here" | "away" | "done" | "refused" | "screened_out" | "withdrawn";
+  state: "waiting" | "opened" | "here" | "away" | "done" | "refused" | "screened_out" | "withdrawn" | "failed_attention";
   /** "join": by the open link; "link": by their own; empty before either. */
   came_by: "join" | "link" | "";
   kept: number;

@@ -222,6 +222,7 @@ TEST(AdaptiveChecks, RefuseEndsAndChecksThatCannotBe) {
   refused(shared + "chains: 2, until: {r_hat: 1, at_most: 20}", "until.r_hat");
   refused(shared + "chains: 2, until: {r_hat: 1.1}", "at_most");
   refused("words: [sad], attention: {max_failed_checks: 2}", "no effect without attention checks");
+  refused("words: [sad, happy, Sad]", "Sad appears twice");
   refused("words: [check]", "check is the name of other trials");
   refused("words: [sad, practice]", "practice is the name of other trials");
 }

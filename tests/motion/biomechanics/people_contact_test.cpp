@@ -1,4 +1,4 @@
-#include "motion/lint/people_contact.h"
+#include "motion/biomechanics/people_contact.h"
 
 #include <gtest/gtest.h>
 
