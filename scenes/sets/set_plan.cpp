@@ -143,7 +143,7 @@ render::Scene static_scene(const SetPlan& plan, const Place& place) {
 Box stool_under(const Stool& stool, const motion::Clip& clip, const Place& place) {
   constexpr double thigh_m = 0.085;
   constexpr double least_m = 0.05;
-  constexpr double highest_share = 2.0 / 3.0;
+  constexpr double highest_share = 0.75;
   if (!motion::is_body(clip.body))
     throw Error("a stool needs a figure of the canonical body", "use a set without a stool");
   Vec3 mean = Vec3::Zero();

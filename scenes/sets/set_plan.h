@@ -92,8 +92,8 @@ render::Scene static_scene(const SetPlan& plan, const Place& place);
 /// The stool of a figure as a box, in the coordinates of the place: below the mean place of its hip
 /// joints, turned as the place, its top below the lowest that they come by 0.085 m of a stature of
 /// 1.75 m, which is about the thickness of a thigh that lies on it. Throws Error if the hips are
-/// higher than two thirds of the length of the legs on average, as those of a figure that stands,
-/// or too low for a stool, and for a skeleton other than the canonical body.
+/// higher than three quarters of the length of the legs on average, as those of a figure that
+/// stands, or too low for a stool, and for a skeleton other than the canonical body.
 Box stool_under(const Stool& stool, const motion::Clip& clip, const Place& place);
 
 /// Adds the walls whose front faces a camera at `eye`.

@@ -59,7 +59,7 @@ motion::Clip sitting_clip() {
     for (const int hip : {motion::LeftHip, motion::RightHip})
       pose.rotations[static_cast<size_t>(hip)] =
           motion::Quat(Eigen::AngleAxisd(-0.5 * motion::pi, Vec3::UnitX()));
-    pose.root_position = Vec3(1.0 + 0.02 * (f - 2), 0.6 + 0.01 * f, 3.0);
+    pose.root_position = Vec3(1.0 + 0.02 * (f - 2), 0.55 + 0.01 * f, 3.0);
     clip.poses.push_back(pose);
   }
   return clip;

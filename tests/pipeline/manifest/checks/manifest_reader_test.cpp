@@ -391,7 +391,7 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:5:10: stimuli[0].id: must be text but is 7; put it in quotes: \"7\"\n"},
         Case{"stimuli:\n  - {id: a}\n",
              "m.yaml:5:5: stimuli[0]: has none of adjectives, features, "
-             "weights, clip, path, foil; give one of them\n"},
+             "weights, clip, path, foil, people; give one of them\n"},
         Case{"stimuli:\n  - {id: a, adjectives: {quickness: 1}, weights: {normal: 1}}\n",
              "m.yaml:5:5: stimuli[0]: adjectives and weights exclude each other; keep one of "
              "them\n"},

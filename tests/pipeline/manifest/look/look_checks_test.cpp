@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:4:16: look.camera: an orthographic camera has neither a field of view nor "
              "stereo; omit orthographic, or fov and stereo"},
         Case{"camera: {view: front, frame: upper-body, figure_px: 200}",
-             "m.yaml:4:36: look.camera.frame: the camera's distance is already determined; omit "
+             "m.yaml:4:37: look.camera.frame: the camera's distance is already determined; omit "
              "frame, or give the camera only a view"},
         Case{"camera: {view: side, fov: 30, screen: {distance_cm: 60, width_cm: 50}}",
              "m.yaml:4:34: look.camera.fov: the screen already determines the field of view; omit "

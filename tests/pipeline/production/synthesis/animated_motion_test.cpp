@@ -90,7 +90,7 @@ TEST(AnimatedMotion, HasFrozenPartsThatAreNoFault) {
   EXPECT_EQ(described_modifications(stimulus), "frozen parts");
   // An arm that stops for another reason is one.
   stimulus.on_fault = OnFault::warn;
-  stimulus.modify[0].modification.paths = 0.0;
+  stimulus.modify[0].modification.relative.arm_swing = 0.0;
   const std::vector<std::string> others = still(modify_motion(walk, stimulus, {}));
   EXPECT_EQ(std::ranges::count(others, "LeftWrist"), 0);
   EXPECT_EQ(std::ranges::count(others, "RightWrist"), 1);

@@ -31,7 +31,7 @@ export const changeColumns = [
 
 export const stepColumns = [
   "participant", "session", "design", "simulated", "trial", "is_practice",
-  "is_check", "passed", "attempt", "word", "chain", "step", "person", "point",
-  "dimension", "value", "slider_start", "is_reversed", "proposal", "is_proposal_first",
-  "chose_proposal", "moves", "trial_ms", "started_at",
+  "is_check", "passed", "attempt", "word", "chain", "step",
+  "person", "point", "dimension", "value", "slider_start", "is_reversed",
+  "proposal", "is_proposal_first", "chose_proposal", "moves", "trial_ms", "started_at",
 ] as const;
