@@ -83,7 +83,7 @@ TEST(RandomManifests, ThatPassTheCheckAreMade) {
                                                        << std::ifstream(manifest).rdbuf();
     ++made;
   }
-  EXPECT_GT(2 * made, seeds().size());
+  EXPECT_GT(3 * made, seeds().size());
 }
 
 }  // namespace
