@@ -23,7 +23,9 @@ bool is_leg(int joint) { return joint == Pelvis || joint >= LeftHip; }
 TEST(FrozenLegs, StandWhereTheyAreAndTheRestKeepsItsRotations) {
   const Clip walk = walk_of();
   const AnimatedClip frozen = with_frozen(walk, {.parts = {FrozenPart::legs}});
-  const auto contact = [&](bool left, std::size_t f) { return foot_contact(walk, left).foot[f]; };
+  const auto contact = [&](bool left, std::size_t f) -> bool {
+    return foot_contact(walk, left).foot[f];
+  };
   std::size_t held = walk.poses.size();
   for (std::size_t f = 0; f < walk.poses.size(); ++f) {
     const Pose& pose = frozen.clip.poses[f];

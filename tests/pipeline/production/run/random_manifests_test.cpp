@@ -66,7 +66,7 @@ const std::vector<std::uint64_t> kept_seeds = {138};  // a GIF's last frame was 
 std::vector<std::uint64_t> seeds() {
   const char* count = std::getenv("MIEN_RANDOM_MANIFESTS");
   std::vector<std::uint64_t> seeds = kept_seeds;
-  for (int seed = 0; seed < (count != nullptr ? std::atoi(count) : 8); ++seed)
+  for (int seed = 0; seed < (count != nullptr ? std::atoi(count) : 14); ++seed)
     seeds.push_back(static_cast<std::uint64_t>(seed));
   return seeds;
 }
