@@ -25,7 +25,9 @@ const seen = (page) => page.evaluate(async () => {
   const frames = [];
   const place = () => view.ground.position.z;
   let before = [view.phase(), place()];
-  for (let i = 0; i < 120; i += 1) {
+  const begunAgain = () => frames.filter(({ again }) => again).length;
+  // At 60 frames per second, 120 are two seconds, and a cycle takes about one.
+  for (let i = 0; i < 120 || (begunAgain() < 3 && i < 1200); i += 1) {
     if (i % 8 === 0) await show([((i * 0.37) % 1), ((i * 0.61) % 1)]);
     const from = view.phase();
     await view.drawn();
