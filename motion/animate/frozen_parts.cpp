@@ -21,37 +21,24 @@ constexpr std::array head_joints = {Neck, Head};
 constexpr std::array left_arm_joints = {LeftClavicle, LeftShoulder, LeftElbow, LeftWrist};
 constexpr std::array right_arm_joints = {RightClavicle, RightShoulder, RightElbow, RightWrist};
 
-std::span<const BodyJoint> frozen_joints(FrozenPart part) {
-  switch (part) {
-    case FrozenPart::legs:
-      return leg_joints;
-    case FrozenPart::trunk:
-      return trunk_joints;
-    case FrozenPart::head:
-      return head_joints;
-    case FrozenPart::left_arm:
-      return left_arm_joints;
-    case FrozenPart::right_arm:
-      return right_arm_joints;
-  }
-  return {};
+struct PartOfBody {
+  std::span<const BodyJoint> joints;
+  const char* stays;  ///< "the head does not move"
+};
+
+/// By FrozenPart.
+constexpr std::array<PartOfBody, 5> parts_of_body = {
+    {{leg_joints, "the legs do not move"},
+     {trunk_joints, "the trunk does not move"},
+     {head_joints, "the head does not move"},
+     {left_arm_joints, "the left arm does not move"},
+     {right_arm_joints, "the right arm does not move"}}};
+
+const PartOfBody& part_of_body(FrozenPart part) {
+  return parts_of_body[static_cast<std::size_t>(part)];
 }
 
-std::string frozen_name(FrozenPart part) {
-  switch (part) {
-    case FrozenPart::legs:
-      return "the legs";
-    case FrozenPart::trunk:
-      return "the trunk";
-    case FrozenPart::head:
-      return "the head";
-    case FrozenPart::left_arm:
-      return "the left arm";
-    case FrozenPart::right_arm:
-      return "the right arm";
-  }
-  return "";
-}
+std::span<const BodyJoint> frozen_joints(FrozenPart part) { return part_of_body(part).joints; }
 
 /// The rotation of a joint; of the pelvis without its direction about the vertical.
 Quat posture_of(const Pose& pose, BodyJoint joint) {
@@ -81,7 +68,7 @@ std::vector<bool> frames_on_both_feet(const Clip& clip) {
   return both;
 }
 
-std::size_t most_usual_frame(const Clip& clip, FrozenPart part) {
+std::size_t most_typical_frame(const Clip& clip, FrozenPart part) {
   std::vector<double> distances(clip.poses.size(), 0.0);
   for (const BodyJoint joint : frozen_joints(part)) {
     const Quat mean = mean_posture(clip, joint);
@@ -112,7 +99,7 @@ AnimatedClip with_frozen(const Clip& clip, const Freezing& freezing) {
   for (const FrozenPart part : freezing.parts) {
     const double seconds =
         freezing.at ? seconds_within(*freezing.at, clip, "parts are frozen at")
-                    : static_cast<double>(most_usual_frame(clip, part)) / clip.frames_per_second;
+                    : static_cast<double>(most_typical_frame(clip, part)) / clip.frames_per_second;
     const Pose held = pose_at(clip, seconds);
     for (Pose& pose : frozen.clip.poses) {
       for (const BodyJoint joint : frozen_joints(part))
@@ -121,8 +108,8 @@ AnimatedClip with_frozen(const Clip& clip, const Freezing& freezing) {
       if (part == FrozenPart::legs) pose.root_position = held.root_position;
     }
     if (part == FrozenPart::legs) frozen.clip.cycle_displacement = Vec3::Zero();
-    frozen.remarks.push_back(frozen_name(part) + (part == FrozenPart::legs ? " do" : " does") +
-                             " not move, in the pose at " + seconds_in_words(seconds));
+    frozen.remarks.push_back(std::string(part_of_body(part).stays) + ", in the pose at " +
+                             seconds_in_words(seconds));
   }
   return frozen;
 }

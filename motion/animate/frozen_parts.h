@@ -15,8 +15,8 @@ enum class FrozenPart { legs, trunk, head, left_arm, right_arm };
 /// Parts that do not move, in the pose of one moment.
 struct Freezing {
   std::vector<FrozenPart> parts;  ///< without duplicates; empty: nothing is frozen
-  /// The moment; empty: for each part that of its most usual pose, with both feet on the floor if
-  /// it is the legs and there is one.
+  /// The moment; empty: for each part that of its most typical pose, with both feet on the floor
+  /// if it is the legs and there is such a frame.
   std::optional<Moment> at;
 
   friend bool operator==(const Freezing&, const Freezing&) = default;
@@ -31,9 +31,9 @@ bool is_frozen(const Freezing& freezing, BodyJoint joint);
 /// chest, the head of neck and head, an arm of clavicle, shoulder, elbow and wrist. All other
 /// joints keep their own rotations relative to their parents.
 ///
-/// The most usual pose is that of the frame at which the joints of the part (and the direction of
-/// the pelvis about the vertical apart, which does not count) are nearest to their mean rotations:
-/// the least sum of squared angles. This is our decision. The remarks say which moments were taken.
+/// The most typical pose is that of the frame whose joints of the part are nearest to their mean
+/// rotations, by the sum of squared angles; the direction of the pelvis about the vertical does not
+/// count. This is our decision. The remarks say which moments were taken.
 ///
 /// Throws mien::Error for a moment outside the motion, and for a skeleton other than the canonical
 /// body.

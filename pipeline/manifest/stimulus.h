@@ -98,8 +98,8 @@ struct StepsForm {
 struct StagePlace {
   double x = 0.0;  ///< metres from the stage's middle, to the right as the front camera sees it
   double z = 0.0;  ///< metres from the stage's middle, towards the front camera
-  double turn =
-      0.0;  ///< direction of the motion, degrees to the left of one that faces that camera
+  /// Direction of the motion, degrees: 0 towards the front camera, 90 to the right of its picture.
+  double turn = 0.0;
 };
 
 void fields_of(auto&& field, MaybeConst<StagePlace> auto& place) {

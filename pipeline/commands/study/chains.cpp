@@ -87,7 +87,8 @@ void remark(const ChainResults& results, const Adaptive& adaptive, const Console
       for (const DimensionSamples& of : word.dimensions) largest = std::max(largest, of.r_hat);
       if (largest > results.design.until->r_hat)
         console.err << fmt::format(
-            "note: the chains of {} have not ended by until: R̂ is up to {:.2f}, above {:g}\n",
+            "note: the chains of {} have not reached the R̂ of until: it is up to {:.2f}, above "
+            "{:g}\n",
             word.word, largest, results.design.until->r_hat);
     }
   for (const WordSamples& word : results.words) {

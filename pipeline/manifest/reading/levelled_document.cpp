@@ -161,12 +161,18 @@ bool are_numbers(const json& values) {
   return std::ranges::all_of(values, [](const json& value) { return value.is_number(); });
 }
 
+/// Whether a value is a number that the schema permits as an end of a range.
+bool is_end(const json* value) {
+  constexpr double most = 1e9;
+  return value != nullptr && value->is_number() && std::abs(value->get<double>()) <= most;
+}
+
 bool is_range(const json& values) {
   const json* steps = member(values, "steps");
   const json* from = member(values, "from");
   const json* to = member(values, "to");
   return steps != nullptr && steps->is_number_integer() && *steps >= 2 && *steps <= most_levels &&
-         from != nullptr && from->is_number() && to != nullptr && to->is_number();
+         is_end(from) && is_end(to);
 }
 
 std::optional<StatedLevels> stated_levels(const json& stimulus) {

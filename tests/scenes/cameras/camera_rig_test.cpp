@@ -52,7 +52,7 @@ TEST_P(EveryCamera, KeepsTheWholeActionInThePicture) {
 }
 
 TEST_P(EveryCamera, FramesAPartOfTheBodyAsLargeAsItCan) {
-  const motion::Clip clip = walk({-0.6, 0, 0.8}, 80);
+  const motion::Clip clip = walk({-0.6, 0, 0.8}, 4);  // hardly moves
   const std::array<int, 2> size{960, 540};
   double whole = 0.0;
   for (const CameraSubject subject :
@@ -77,16 +77,13 @@ TEST_P(EveryCamera, FramesAPartOfTheBodyAsLargeAsItCan) {
           render::project(rig.at(frame), action.points[f][motion::LeftAnkle].cast<float>());
       is_foot_outside = is_foot_outside || !foot || foot->y() > size[1];
     }
-    // A walk is long: only a camera that goes along gets much nearer.
     const double now = figure_pixels(rig);
     if (subject == CameraSubject::whole_body) {
       whole = now;
       EXPECT_FALSE(is_foot_outside);
-    } else if (GetParam() == "follow") {
+    } else {
       EXPECT_GT(now, subject == CameraSubject::head ? 3.0 * whole : 1.4 * whole);
       EXPECT_TRUE(is_foot_outside);
-    } else {
-      EXPECT_GE(now, 0.99 * whole);
     }
   }
 }

@@ -129,11 +129,12 @@ void add_withdrawn_steps(const ServedStudy& study, const std::vector<StoredStep>
 using CountedSteps = std::set<std::tuple<std::string, int, int, std::string>>;
 
 CountedSteps counted_steps(const StudySessions& sessions, const std::vector<StoredStep>& steps) {
+  const std::vector<SessionState> states = sessions.states();
   CountedSteps counted;
   for (const StoredStep& step : steps)
     if (step.session)
       counted.emplace(step.chain, step.step, step.person,
-                      sessions.state(*step.session).session.participant);
+                      states.at(static_cast<std::size_t>(*step.session)).session.participant);
   return counted;
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -112,25 +114,32 @@ void SharedChains::complete_step(Chain& chain, const ChainRecord& record) {
   ++chain.step;
   chain.values.clear();
   chain.sessions.clear();
-  if (!facts_.design.until) return;
-  std::vector<double>& point = chain.points.emplace_back(chain.point);
-  if (!facts_.design.has_relative_values) return;
-  const double sum = std::accumulate(point.begin(), point.end(), 0.0);
-  for (double& value : point) value /= sum;
+  const bool is_sweep_end =
+      static_cast<std::size_t>(chain.step) % facts_.design.steps_per_sweep() == 0;
+  if (!facts_.design.until || !is_sweep_end) return;
+  std::vector<double>& point = chain.sweeps.emplace_back(chain.point);
+  if (facts_.design.has_relative_values) {
+    const double sum = std::accumulate(point.begin(), point.end(), 0.0);
+    for (double& value : point) value /= sum;
+  }
+  end_if_converged(chain.name.word);
 }
 
 /// R̂ is computed each time that the shortest chain has one more sweep, so that the order in which
 /// answers to different chains come does not matter.
 void SharedChains::end_if_converged(const std::string& word) {
-  const std::optional<ChainEnd>& until = facts_.design.until;
-  if (!until || ended_words_.contains(word)) return;
+  if (ended_words_.contains(word)) return;
+  const auto is_of_word = [&](const Chain& chain) { return chain.name.word == word; };
+  std::size_t shortest = std::numeric_limits<std::size_t>::max();
+  for (const Chain& chain : chains_)
+    if (is_of_word(chain)) shortest = std::min(shortest, chain.sweeps.size());
+  if (shortest == std::exchange(sweeps_seen_[word], shortest)) return;
+  const ChainEnd& until = *facts_.design.until;
+  if (shortest < static_cast<std::size_t>(until.at_least)) return;
   std::vector<std::vector<std::vector<double>>> paths;
   for (const Chain& chain : chains_)
-    if (chain.name.word == word) paths.push_back(chain.points);
-  const std::size_t per_sweep = facts_.design.steps_per_sweep();
-  if (shortest_sweeps(paths, per_sweep) >= static_cast<std::size_t>(until->at_least) &&
-      have_converged(paths, per_sweep, until->r_hat))
-    ended_words_.insert(word);
+    if (is_of_word(chain)) paths.push_back(chain.sweeps);
+  if (have_converged(paths, 1, until.r_hat)) ended_words_.insert(word);
 }
 
 bool SharedChains::is_over(const Chain& chain) const {
@@ -144,10 +153,7 @@ void SharedChains::add(int session, const ChainRecord& record) {
   chain.sessions[record.person] = session;
   chain.last_session = session;
   leases_.erase({at, record.step, record.person});
-  if (std::ssize(chain.values) < facts_.design.people_per_step) return;
-  complete_step(chain, record);
-  if (static_cast<std::size_t>(chain.step) % facts_.design.steps_per_sweep() == 0)
-    end_if_converged(chain.name.word);
+  if (std::ssize(chain.values) == facts_.design.people_per_step) complete_step(chain, record);
 }
 
 std::vector<ChainPlace> SharedChains::open_answers(int session) const {

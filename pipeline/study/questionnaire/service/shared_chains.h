@@ -76,7 +76,7 @@ class SharedChains {
   struct Chain {
     ChainName name;
     std::vector<double> point;
-    std::vector<std::vector<double>> points = {};  ///< after each step, if chains may end early
+    std::vector<std::vector<double>> sweeps = {};  ///< points after sweeps, if chains may end early
     int step = 0;
     std::map<int, double> values;  ///< answers to the present step, by person
     std::map<int, int> sessions;   ///< who gave them, by person
@@ -98,7 +98,8 @@ class SharedChains {
   const ChainFacts& facts_;
   std::vector<Chain> chains_;
   std::map<Place, Lease> leases_;
-  std::set<std::string> ended_words_;  ///< those whose chains agree
+  std::set<std::string> ended_words_;               ///< those whose chains agree
+  std::map<std::string, std::size_t> sweeps_seen_;  ///< by word, of the shortest chain
 };
 
 }  // namespace mien::pipeline

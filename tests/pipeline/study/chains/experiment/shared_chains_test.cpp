@@ -209,10 +209,14 @@ TEST(SharedChainsUntil, EndTheChainsOfAWordThatAgreeAndNoOthers) {
   });
   for (const auto& [session, record] : given) again.add(session, record);
   EXPECT_TRUE(again.is_finished());
-  ChainRecord more =
-      std::ranges::find_if(given, [](const auto& one) { return one.second.word == "sad"; })->second;
-  more.step = last.at("sad/1");
-  EXPECT_FALSE(again.is_open(1, more, 0));
+  // It would be the next step, at the point that the answers lead to.
+  const ChainRecord* end = nullptr;
+  for (const auto& [session, record] : given)
+    if (record.word == "sad" && record.chain == 1) end = &record;
+  ASSERT_NE(end, nullptr);
+  AssignedStep next{{"sad", 1, ""}, end->step + 1, 0, end->point};
+  next.point[end->dimension] = end->value;
+  EXPECT_FALSE(again.is_open(1, answer_to(facts, next, 0.4), 0));
 }
 
 TEST_F(SharedChainsTest, ForgetAnswersToOpenStepsAlone) {
@@ -252,6 +256,15 @@ TEST_F(SharedChainsTest, ForgetAnswersToOpenStepsAlone) {
     persons.insert(step->person);
   }
   EXPECT_EQ(persons, (std::set<int>{0, 1, 2}));
+}
+
+TEST_F(SharedChainsTest, ForgetWhichStepsWereGiven) {
+  SharedChains chains(facts_);
+  ASSERT_TRUE(assign(chains, 0, "trial-2"));
+  ASSERT_TRUE(assign(chains, 0, "trial-3"));
+  chains.forget_open(0);
+  for (int session = 1; session <= 12; ++session)
+    EXPECT_TRUE(assign(chains, session, "trial-2")) << session;
 }
 
 /// A served experiment, asked without a network.
@@ -574,6 +587,15 @@ TEST_F(CheckedChainService, ReplacesParticipantsWhoFailChecks) {
   EXPECT_EQ(json::parse(failed.body).at("ended"), "failed_attention");
   EXPECT_EQ(service_->sessions().state(0).ended, SessionEnd::failed_attention);
   EXPECT_EQ(service_->sessions().step_progress().first, complete);
+  // The others go on as they would after a restart.
+  for (const int session : {3, 4}) {
+    begin(session);
+    for (const int trial : {2, 3}) answered(session, trial);
+  }
+  const std::pair<int, int> progress = service_->sessions().step_progress();
+  const std::size_t by_others = 4;
+  start();
+  EXPECT_EQ(service_->sessions().step_progress(), progress);
   // What it answered of complete steps is there, and nothing else, also after a restart.
   for (int round = 0; round < 2; ++round) {
     std::map<std::pair<std::string, int>, std::vector<int>> people;
@@ -589,7 +611,7 @@ TEST_F(CheckedChainService, ReplacesParticipantsWhoFailChecks) {
     }
     EXPECT_GE(own, 2);
     EXPECT_LT(own, 4);
-    EXPECT_EQ(store_->steps().size(), before - static_cast<std::size_t>(4 - own));
+    EXPECT_EQ(store_->steps().size(), before + by_others - static_cast<std::size_t>(4 - own));
     // The table is what the chains followed from.
     write_file(folder_.path() / "steps.csv", steps_csv(study_, service_->sessions()));
     const ChainExample again(checked_shared);
@@ -602,8 +624,8 @@ TEST_F(CheckedChainService, ReplacesParticipantsWhoFailChecks) {
     EXPECT_EQ(service_->sessions().state(0).ended, SessionEnd::failed_attention);
   }
   EXPECT_EQ(step(0, 8).status, 404);
-  begin(3);
-  answered(3, 2);
+  begin(5);
+  answered(5, 2);
 }
 
 TEST_F(CheckedChainService, DoesNotLetChecksBeLeftOut) {
