@@ -1,15 +1,25 @@
 #include "motion/skeleton/mirror.h"
 
 #include "motion/skeleton/clip_markers.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::motion {
+
+namespace {
+
+Quat mirrored(const Quat& q) { return {q.w(), q.x(), -q.y(), -q.z()}; }
+
+}  // namespace
 
 Pose mirrored(const Pose& pose) {
   Pose result = pose;
   result.root_position = mirrored_place(pose.root_position);
   for (int j = 0; j < body_joint_count; ++j) {
-    const Quat& q = pose.rotations[mirrored(BodyJoint(j))];
-    result.rotations[j] = Quat(q.w(), q.x(), -q.y(), -q.z());
+    result.rotations[j] = mirrored(pose.rotations[mirrored(BodyJoint(j))]);
+  }
+  for (size_t j = 0; j < pose.fingers.size(); ++j) {
+    const auto other = static_cast<size_t>(mirrored_finger(static_cast<int>(j)));
+    result.fingers[j] = mirrored(pose.fingers[other]);
   }
   return result;
 }

@@ -4,6 +4,17 @@
 
 namespace mien::motion {
 
+namespace {
+
+std::vector<Quat> interpolated(const std::vector<Quat>& from, const std::vector<Quat>& to,
+                               double t) {
+  std::vector<Quat> between(from.size());
+  for (size_t j = 0; j < from.size(); ++j) between[j] = slerp(from[j], to[j], t);
+  return between;
+}
+
+}  // namespace
+
 JointTransform world_transform(const Skeleton& skeleton, const Pose& pose, int joint) {
   const auto at = static_cast<size_t>(joint);
   if (joint == 0) return {pose.root_position, pose.rotations[0]};
@@ -36,9 +47,11 @@ std::vector<Vec3> world_positions(const Skeleton& skeleton, const Pose& pose) {
 Pose interpolate(const Pose& from, const Pose& to, double t) {
   Pose pose;
   pose.root_position = (1.0 - t) * from.root_position + t * to.root_position;
-  pose.rotations.resize(from.rotations.size());
-  for (size_t j = 0; j < from.rotations.size(); ++j) {
-    pose.rotations[j] = slerp(from.rotations[j], to.rotations[j], t);
+  pose.rotations = interpolated(from.rotations, to.rotations, t);
+  if (from.fingers.empty() || to.fingers.empty()) {
+    pose.fingers = from.fingers.empty() ? to.fingers : from.fingers;
+  } else {
+    pose.fingers = interpolated(from.fingers, to.fingers, t);
   }
   if (!from.offsets.empty() && !to.offsets.empty()) {
     pose.offsets.resize(from.offsets.size());

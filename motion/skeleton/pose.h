@@ -13,6 +13,10 @@ struct Pose {
   std::vector<Quat> rotations;        ///< joint frame → parent frame, unit, one per joint
   std::vector<Vec3>
       offsets;  ///< per-frame joint offsets that replace the skeleton's; usually empty
+  /// Rotations of the joints of both hands (hand.h), joint frame → parent frame, unit: all
+  /// finger_joint_count of them, or none. Only poses of the canonical body have any, and within a
+  /// clip all poses or none.
+  std::vector<Quat> fingers = {};
 };
 
 /// World positions and rotations of all joints.
@@ -28,7 +32,8 @@ JointTransforms world_transforms(const Skeleton& skeleton, const Pose& pose);
 /// Forward kinematics, positions only.
 std::vector<Vec3> world_positions(const Skeleton& skeleton, const Pose& pose);
 
-/// Slerp of the rotations and linear interpolation of the positions; t in [0, 1].
+/// Slerp of the rotations and linear interpolation of the positions; t in [0, 1]. Fingers are
+/// those of the one pose that has them, if not both have.
 Pose interpolate(const Pose& from, const Pose& to, double t);
 
 /// World position and rotation of one joint.

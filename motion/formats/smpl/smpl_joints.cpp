@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::motion {
 
@@ -46,24 +48,17 @@ constexpr int head = 15;
 constexpr int left_wrist = 20;
 constexpr int right_wrist = 21;
 
-/// A finger of the left hand at rest, palm down: where it begins on the hand, and where each next
-/// joint and the tip are from the one before. Metres at a stature of 1.75 m.
-struct Finger {
-  std::string_view name;
-  std::array<Vec3, 4> offsets;
-};
+/// The fingers in the order of these layouts.
+constexpr std::array<std::pair<std::string_view, Finger>, fingers_per_hand> fingers = {{
+    {"index", Finger::index},
+    {"middle", Finger::middle},
+    {"pinky", Finger::little},
+    {"ring", Finger::ring},
+    {"thumb", Finger::thumb},
+}};
 
-const std::array<Finger, 5>& fingers() {
-  static const std::array<Finger, 5> all = {{
-      {"index", {Vec3{0.082, 0, 0.022}, {0.038, 0, 0}, {0.022, 0, 0}, {0.019, 0, 0}}},
-      {"middle", {Vec3{0.083, 0, 0}, {0.042, 0, 0}, {0.025, 0, 0}, {0.020, 0, 0}}},
-      {"pinky", {Vec3{0.074, 0, -0.036}, {0.030, 0, 0}, {0.018, 0, 0}, {0.017, 0, 0}}},
-      {"ring", {Vec3{0.080, 0, -0.019}, {0.039, 0, 0}, {0.023, 0, 0}, {0.019, 0, 0}}},
-      {"thumb",
-       {Vec3{0.022, -0.008, 0.026}, {0.032, 0, 0.024}, {0.026, 0, 0.012}, {0.022, 0, 0.006}}},
-  }};
-  return all;
-}
+/// Metres; shorter than hand_length, so that the hands are those of earlier versions.
+constexpr double smpl_hand_length = 0.170;
 
 void add_body(Skeleton& skeleton) {
   const Skeleton body = standard_body();
@@ -89,18 +84,17 @@ void add_face(Skeleton& skeleton) {
 }
 
 void add_fingers(Skeleton& skeleton, bool is_left) {
-  const auto placed = [&](const Vec3& offset) -> Vec3 {
-    return {is_left ? offset.x() : -offset.x(), offset.y(), offset.z()};
-  };
-  for (const Finger& finger : fingers()) {
+  for (const auto& [name, finger] : fingers) {
     int parent = is_left ? left_wrist : right_wrist;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (int k = 0; k < joints_per_finger; ++k) {
       Joint joint;
-      joint.name = std::string(is_left ? "left_" : "right_") + std::string(finger.name) +
-                   std::to_string(k + 1);
+      joint.name =
+          std::string(is_left ? "left_" : "right_") + std::string(name) + std::to_string(k + 1);
       joint.parent = parent;
-      joint.offset = placed(finger.offsets[k]);
-      if (k == 2) joint.tip = placed(finger.offsets[3]);
+      joint.offset = finger_offset(finger_joint(is_left, finger, k), smpl_hand_length);
+      if (k == joints_per_finger - 1) {
+        joint.tip = fingertip_offset(is_left, finger, smpl_hand_length);
+      }
       parent = skeleton.size();
       skeleton.joints.push_back(std::move(joint));
     }

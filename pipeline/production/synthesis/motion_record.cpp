@@ -49,6 +49,7 @@ void add(KeyBuilder& key, const motion::Clip& clip) {
     add(key, "root", pose.root_position);
     for (const motion::Quat& rotation : pose.rotations) add(key, "r", rotation);
     for (const motion::Vec3& offset : pose.offsets) add(key, "o", offset);
+    for (const motion::Quat& finger : pose.fingers) add(key, "f", finger);
   }
   if (const motion::Markers* markers = motion::markers_of(clip)) add(key, *markers);
 }
