@@ -80,6 +80,38 @@ TEST_F(NextRound, FollowsFromTheAnswersOfAllRoundsBefore) {
   EXPECT_EQ(text_of(third), text);
 }
 
+TEST_F(NextRound, IsTheFirstWithoutAnswers) {
+  const std::string begun = (folder.path() / "walks-1.yaml").string();
+  const Ended chosen = next({first, "-o", begun, "--films", "5"});
+  ASSERT_EQ(chosen.code, 0) << chosen.errors;
+  EXPECT_EQ(chosen.errors, "");
+  EXPECT_NE(chosen.output.find("by their features alone"), std::string::npos) << chosen.output;
+  EXPECT_EQ(chosen.output.find("simulated"), std::string::npos) << chosen.output;
+  const std::string text = text_of(begun);
+  EXPECT_NE(text.find("# The first round of films"), std::string::npos) << text;
+  EXPECT_NE(text.find("study: walks-1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("stimuli: [round1-01, round1-02, round1-03, round1-04, round1-05]"),
+            std::string::npos)
+      << text;
+  const std::string rated = (folder.path() / "answers-1.csv").string();
+  ASSERT_EQ(run_mien({"study", "simulate", begun, "-o", rated}).code, 0);
+  const std::string methods = (folder.path() / "round-2.md").string();
+  const Ended after = next({rated, begun, "-o", second, "--films", "2", "--methods", methods});
+  ASSERT_EQ(after.code, 0) << after.errors;
+  EXPECT_EQ(text_of(methods).find("2 films were chosen among 600 films"), 0u) << text_of(methods);
+  EXPECT_NE(text_of(methods).find("from the simulated ratings so far on sad-happy and slow-fast"),
+            std::string::npos)
+      << text_of(methods);
+  const std::string references = text_of(folder.path() / "round-2.bib");
+  for (const char* key : {"cohn1996", "rasmussen2006", "ginsbourger2010"}) {
+    EXPECT_NE(references.find(std::string("{") + key + ","), std::string::npos) << references;
+    EXPECT_NE(text_of(methods).find(std::string("@") + key), std::string::npos);
+  }
+  EXPECT_EQ(after.errors, "");
+  EXPECT_NE(text_of(second).find("study: walks-2\n"), std::string::npos);
+  EXPECT_NE(text_of(second).find("stimuli: [round2-01, round2-02]"), std::string::npos);
+}
+
 TEST_F(NextRound, CountsAnswersOnceAndTheScaleOfTheAimAlways) {
   const Ended once = next({answers, first, "-o", second});
   ASSERT_EQ(once.code, 0) << once.errors;
@@ -102,7 +134,10 @@ TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
     EXPECT_FALSE(fs::exists(second));
   };
   refused({answers, first, "-o", second, "--lowest", "sad"}, "no scale \"sad\"");
-  refused({first, "-o", second}, "no answers were given");
+  refused({first, "-o", second, "--highest", "sad-happy"}, "--highest needs ratings");
+  refused({first, "-o", second, "--show", "known.png"}, "--show needs ratings");
+  refused({first, "-o", second, "--pairs", "4"}, "no answers were given");
+  refused({first, "-o", second, "--methods", "text.txt"}, "let it end in .md");
   refused({answers, first, "-o", second, "--features", "niceness"}, "niceness");
   refused({answers, first, "-o", second, "--show", "known.gif"}, ".png, .svg or .pdf");
   refused({answers, first, "-o", answers}, "exists already, but holds something else");

@@ -133,12 +133,8 @@ struct Prior {
 
 Prior prior_of(const Problem& problem) {
   const Index n = problem.families();
-  const double sd = std::log(problem.spread);
-  Prior prior{VectorXd::Constant(problem.size(), sd), VectorXd::Ones(problem.size())};
-  prior.mean.head(n).array() += -0.35 - 0.5 * std::log(static_cast<double>(n));
-  prior.mean[n] += -1.0;
-  prior.mean[n + 1] += -1.5;
-  prior.mean[n + 2] = 0.0;
+  Prior prior{vector_of(usual_parameters(problem.distances.size(), problem.spread)),
+              VectorXd::Ones(problem.size())};
   prior.spread[n + 2] = length_spread;
   return prior;
 }
@@ -205,6 +201,13 @@ Standardisation standardisation_of(const MatrixXd& predictors) {
   return result;
 }
 
+ProcessParameters usual_parameters(std::size_t families, double spread) {
+  const double sd = std::log(spread);
+  const auto n = static_cast<Index>(families);
+  return {VectorXd::Constant(n, sd - 0.35 - 0.5 * std::log(static_cast<double>(n))), sd - 1.0,
+          sd - 1.5, 0.0};
+}
+
 double log_likelihood(const Families& families, const GroupedObservations& observations,
                       const ProcessParameters& parameters) {
   return likelihood(problem_of(families, observations), vector_of(parameters)).value;
@@ -250,8 +253,18 @@ std::vector<ProcessPrediction> left_out_predictions(const GaussianProcess& proce
   return predictions;
 }
 
-double deviation_variance(const GaussianProcess& process) {
-  return std::exp(2.0 * process.parameters.log_group) + std::exp(2.0 * process.parameters.log_own);
+double deviation_variance(const ProcessParameters& parameters) {
+  return std::exp(2.0 * parameters.log_group) + std::exp(2.0 * parameters.log_own);
+}
+
+JointPrediction prior_prediction(const Families& families, const ProcessParameters& parameters,
+                                 const MatrixXd& predictors, double constant_variance) {
+  MatrixXd covariance = MatrixXd::Constant(predictors.rows(), predictors.rows(), constant_variance);
+  for (std::size_t f = 0; f < families.size(); ++f)
+    covariance +=
+        family_covariance(squared_distances(predictors, predictors, families[f]),
+                          parameters.log_amplitude[static_cast<Index>(f)], parameters.log_length);
+  return {VectorXd::Zero(predictors.rows()), std::move(covariance)};
 }
 
 JointPrediction jointly_predicted(const GaussianProcess& process, const MatrixXd& predictors) {
@@ -276,7 +289,7 @@ JointPrediction jointly_predicted(const GaussianProcess& process, const MatrixXd
 
 ProcessPrediction predicted(const GaussianProcess& process, const Eigen::RowVectorXd& predictors) {
   const JointPrediction joint = jointly_predicted(process, predictors);
-  return {joint.mean[0], joint.covariance(0, 0) + deviation_variance(process)};
+  return {joint.mean[0], joint.covariance(0, 0) + deviation_variance(process.parameters)};
 }
 
 }  // namespace mien::pipeline

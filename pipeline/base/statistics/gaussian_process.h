@@ -72,6 +72,9 @@ GaussianProcess process_with(const std::vector<std::vector<int>>& families,
 GaussianProcess fit_process(const std::vector<std::vector<int>>& families,
                             const GroupedObservations& observations);
 
+/// The parameters around which those priors are, for values with the standard deviation `spread`.
+ProcessParameters usual_parameters(std::size_t families, double spread);
+
 /// Log marginal likelihood (up to the constant of the flat prior of m) of the parameters without
 /// their prior.
 double log_likelihood(const std::vector<std::vector<int>>& families,
@@ -95,6 +98,12 @@ struct JointPrediction {
 JointPrediction jointly_predicted(const GaussianProcess& process,
                                   const Eigen::MatrixXd& predictors);
 
+/// The same before anything is observed: the functions are 0 on average, and the constant is normal
+/// about 0 with this variance.
+JointPrediction prior_prediction(const std::vector<std::vector<int>>& families,
+                                 const ProcessParameters& parameters,
+                                 const Eigen::MatrixXd& predictors, double constant_variance);
+
 /// What the process says about each observation if that observation is left out and the parameters
 /// stay as they are: the normal distribution of its value, measurement noise included (Dubrule
 /// 1983; Rasmussen and Williams 2006, section 5.4.2). Requires three observations.
@@ -102,6 +111,6 @@ std::vector<ProcessPrediction> left_out_predictions(const GaussianProcess& proce
 
 /// Variance by which the value of an observation of a new group differs from the functions, without
 /// measurement noise.
-double deviation_variance(const GaussianProcess& process);
+double deviation_variance(const ProcessParameters& parameters);
 
 }  // namespace mien::pipeline

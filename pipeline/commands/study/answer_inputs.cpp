@@ -16,8 +16,12 @@ bool is_manifest(const fs::path& file) {
 
 }  // namespace
 
-AnswerInputs answer_inputs(const std::vector<std::string>& files,
-                           const std::vector<std::string>& participants) {
+Error no_answers() {
+  return Error("no answers were given", "give the CSV that the questionnaire wrote");
+}
+
+AnswerInputs inputs_with_or_without_answers(const std::vector<std::string>& files,
+                                            const std::vector<std::string>& participants) {
   AnswerInputs inputs;
   std::vector<fs::path> named;
   for (const std::string& name : files) {
@@ -40,8 +44,13 @@ AnswerInputs answer_inputs(const std::vector<std::string>& files,
   for (const std::string& file : participants) inputs.participants.emplace_back(file);
   if (inputs.manifest.empty())
     throw Error("no manifest was given", "give the study's, for example study.yaml");
-  if (inputs.answers.empty())
-    throw Error("no answers were given", "give the CSV that the questionnaire wrote");
+  return inputs;
+}
+
+AnswerInputs answer_inputs(const std::vector<std::string>& files,
+                           const std::vector<std::string>& participants) {
+  AnswerInputs inputs = inputs_with_or_without_answers(files, participants);
+  if (inputs.answers.empty()) throw no_answers();
   return inputs;
 }
 

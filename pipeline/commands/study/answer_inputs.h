@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "motion/error.h"
+
 namespace mien::pipeline {
 
 /// Files of a command on a study's answers, by kind.
@@ -18,5 +20,12 @@ struct AnswerInputs {
 /// that are found. Throws Error if there are no answers, no manifest or two.
 AnswerInputs answer_inputs(const std::vector<std::string>& files,
                            const std::vector<std::string>& participants = {});
+
+/// The same, but there may be no answers.
+AnswerInputs inputs_with_or_without_answers(const std::vector<std::string>& files,
+                                            const std::vector<std::string>& participants = {});
+
+/// The error of a command that needs answers.
+Error no_answers();
 
 }  // namespace mien::pipeline

@@ -20,12 +20,14 @@
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/reading/manifest_yaml.h"
+#include "pipeline/production/methods/references.h"
 #include "pipeline/study/adaptive/film_map.h"
 #include "pipeline/study/adaptive/film_report.h"
 #include "pipeline/study/adaptive/film_rounds.h"
 #include "pipeline/study/adaptive/film_space.h"
 #include "pipeline/study/adaptive/film_tables.h"
 #include "pipeline/study/adaptive/next_films.h"
+#include "pipeline/study/adaptive/pair_study.h"
 
 namespace mien::pipeline {
 
@@ -64,7 +66,26 @@ void note_unanswered(const Manifest& manifest, const std::vector<Answers>& round
         fmt::join(without, ", "));
 }
 
+/// Throws Error for an option that needs ratings.
+void refuse_what_needs_ratings(const NextCommand& command) {
+  const auto refuse = [](bool is_given, const char* name) {
+    if (is_given)
+      throw Error(fmt::format("{} needs ratings, and no answers were given", name),
+                  "give the CSV that the questionnaire wrote, or omit the option to choose the "
+                  "films of the first round");
+  };
+  refuse(!command.highest.empty(), "--highest");
+  refuse(!command.lowest.empty(), "--lowest");
+  refuse(!command.scales.empty(), "--scales");
+  refuse(!command.tables.empty(), "--tables");
+  refuse(!command.show.empty(), "--show");
+}
+
 std::string comment_of(const NextCommand& command, const FilmChoice& choice, std::uint64_t seed) {
+  if (choice.rated.scales.empty())
+    return fmt::format(
+        "# The first round of films, chosen by their features by mien study next with seed {}.\n",
+        seed);
   return fmt::format("# The next round of films, {}, chosen by mien study next with seed {}{}.\n",
                      aim_text(aim_of(command)), seed,
                      choice.rated.simulated ? " from simulated answers" : "");
@@ -81,25 +102,33 @@ FilmChoice film_choice(const NextCommand& command, const Manifest& manifest,
   FilmChoice choice;
   choice.space = film_space(repertoire, command.features);
   choice.aim = aim_of(command);
-  choice.rated =
-      rated_study(manifest, repertoire, choice.space, rounds, asked_scales(command, manifest));
+  const auto films = static_cast<std::size_t>(command.films.value_or(usual_next_count));
+  if (rounds.empty())
+    choice.rated.answers_per_film = static_cast<int>(planned_answers(manifest, films));
+  else
+    choice.rated =
+        rated_study(manifest, repertoire, choice.space, rounds, asked_scales(command, manifest));
   choice.candidates = film_candidates(
       choice.space.places, static_cast<std::size_t>(command.candidates.value_or(usual_candidates)),
       manifest.examples.blendable, seed);
   choice.next =
       next_films(choice.candidates, choice.rated.scales,
-                 {.films = static_cast<std::size_t>(command.films.value_or(usual_next_count)),
-                  .aim = choice.aim,
-                  .answers = choice.rated.answers_per_film});
+                 {.films = films, .aim = choice.aim, .answers = choice.rated.answers_per_film});
   choice.rounds = film_rounds(choice.candidates, choice.rated.scales);
   return choice;
 }
 
 int choose_next(const NextCommand& command, const Console& console) {
   if (!command.show.empty()) require_plot_file(command.show);
-  const AnswerInputs inputs = answer_inputs(command.files);
+  if (!command.methods.empty() && fs::path(command.methods).extension() != ".md")
+    throw Error({command.methods}, "is no name for a text", "let it end in .md");
+  const AnswerInputs inputs = inputs_with_or_without_answers(command.files);
   const Manifest manifest = questionnaire_manifest(inputs.manifest.string(), console);
   const bool has_pairs = questionnaire_of(manifest).trials == &pair_form;
+  if (inputs.answers.empty()) {
+    refuse_what_needs_ratings(command);
+    if (has_pairs || command.pairs) throw no_answers();
+  }
   if (has_pairs || command.pairs) return choose_next_pairs(command, inputs, manifest, console);
   return choose_next_films(command, inputs, manifest, console);
 }
@@ -143,8 +172,9 @@ std::vector<fs::path> distinct_files(const std::vector<fs::path>& files, const C
   return distinct;
 }
 
-std::string next_name(const NextCommand& command, const Manifest& manifest) {
-  return command.name.empty() ? name_of_next_round(manifest.study) : command.name;
+std::string next_name(const NextCommand& command, const Manifest& manifest, bool is_first) {
+  if (!command.name.empty()) return command.name;
+  return is_first ? name_of_first_round(manifest.study) : name_of_next_round(manifest.study);
 }
 
 std::string checked_next_yaml(const NextCommand& command, const Manifest& round,
@@ -165,22 +195,33 @@ void write_next_tables(const NextCommand& command, const std::vector<WrittenTabl
     console.out << (fs::path(command.tables) / table.form.path).string() << '\n';
 }
 
+void write_next_methods(const NextCommand& command, const RoundMethods& methods,
+                        const Console& console) {
+  if (command.methods.empty()) return;
+  const fs::path text = command.methods, references = fs::path(text).replace_extension(".bib");
+  write_file(text, methods.text + '\n');
+  write_file(references, bibtex_of(methods.cited));
+  console.out << text.string() << '\n' << references.string() << '\n';
+}
+
 int choose_next_films(const NextCommand& command, const AnswerInputs& inputs,
                       const Manifest& manifest, const Console& console) {
   const std::vector<Answers> rounds = answers_of(inputs.answers, manifest, console);
-  note_unanswered(manifest, rounds, console);
+  const bool is_first = rounds.empty();
+  if (!is_first) note_unanswered(manifest, rounds, console);
   const std::uint64_t seed = command.seed.value_or(manifest.seed);
   FilmChoice choice = film_choice(command, manifest, rounds, seed);
   for (const std::string& sentence : choice.rated.left_out)
     console.err << "note: " << sentence << '\n';
   const Manifest round = next_round(manifest, choice.space, choice.candidates, choice.next,
-                                    next_name(command, manifest));
+                                    next_name(command, manifest, is_first), is_first ? 1 : 2);
   choice.ids = round.questionnaire->stimuli.ids;
   const std::string yaml = checked_next_yaml(command, round, comment_of(command, choice, seed));
   console.out << film_report(choice);
   write_file(command.out, yaml);
   console.out << command.out << '\n';
   write_next_tables(command, film_tables(choice), console);
+  write_next_methods(command, film_methods(choice), console);
   if (command.show.empty()) return exit_done;
   write_file(command.show, plot_for_file(film_map_plot(choice), command.show));
   console.out << command.show << '\n';
@@ -197,7 +238,7 @@ Command study_next_command() {
       .options =
           {argument("files", &options->files,
                     "Answers (CSV, or folders of answers) of all rounds, and the manifest of the "
-                    "last one"),
+                    "last one; the manifest alone for the films of the first round"),
            option("-o,--output", &options->out, "Manifest (YAML) of the next round to write")
                .required(),
            option("--films", &options->films, "Number of films, for questionnaires of ratings")
@@ -231,6 +272,10 @@ Command study_next_command() {
                   "Folder for tables: next_films.csv and known_films.csv (what is expected of the "
                   "films, and of all that can be made) and rounds.csv (what each round has "
                   "brought); of pairs, next_pairs.csv and known_worths.csv"),
+           option(
+               "--methods", &options->methods,
+               "File (.md) for a paragraph of the methods section that says how they were chosen; "
+               "its references (.bib) are written beside it"),
            option("--show", &options->show,
                   "Figure (.png, .svg or .pdf) that maps what is known: expected ratings and their "
                   "standard deviations over all films that can be made")},
@@ -239,9 +284,13 @@ Command study_next_command() {
           "process), and\nfilms are blends of two or three examples. The written manifest has all "
           "earlier stimuli, so that the answers\nof all rounds can be given together, and its "
           "questionnaire shows the new ones.\n"
+          "Without answers, the films of the first round are chosen: those that tell the most "
+          "where\n"
+          "nothing is known yet.\n"
           "In a questionnaire of pairs, the next pairs are those whose answers tell the most about "
           "the worths of the\nstimuli (model of Bradley and Terry).\n\n"
           "Examples:\n"
+          "  mien study next study.yaml -o study-1.yaml --films 8\n"
           "  mien study next answers.csv study.yaml -o study-2.yaml\n"
           "  mien study next answers.csv answers-2.csv study-2.yaml -o study-3.yaml --highest "
           "sad-happy --films 6 \\\n"

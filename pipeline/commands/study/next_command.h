@@ -11,6 +11,7 @@
 #include "pipeline/commands/study/answer_inputs.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/study/adaptive/next_films.h"
+#include "pipeline/study/adaptive/round_methods.h"
 
 namespace mien::pipeline {
 
@@ -26,6 +27,7 @@ struct NextCommand {
   std::string name;
   std::string tables;
   std::string show;
+  std::string methods;
 };
 
 /// Number of films or pairs, if it is not given.
@@ -42,8 +44,8 @@ std::vector<std::string> asked_scales(const NextCommand& command, const Manifest
 std::vector<std::filesystem::path> distinct_files(const std::vector<std::filesystem::path>& files,
                                                   const Console& console);
 
-/// The name of the next study.
-std::string next_name(const NextCommand& command, const Manifest& manifest);
+/// The name of the next study, or of the first if nothing has been answered.
+std::string next_name(const NextCommand& command, const Manifest& manifest, bool is_first = false);
 
 /// The manifest's text. Throws Faults if the manifest would have some, as when the questionnaire
 /// refers to levels of factors that new films do not have, and Error if the file holds something
@@ -54,6 +56,10 @@ std::string checked_next_yaml(const NextCommand& command, const Manifest& round,
 /// Writes the tables, if they are wanted, and prints their names.
 void write_next_tables(const NextCommand& command, const std::vector<WrittenTable>& tables,
                        const Console& console);
+
+/// Writes the paragraph, if it is wanted, with its references beside it, and prints their names.
+void write_next_methods(const NextCommand& command, const RoundMethods& methods,
+                        const Console& console);
 
 /// Chooses films for a manifest of ratings, or pairs for one of pairs (next_pairs.cpp).
 int choose_next_films(const NextCommand& command, const AnswerInputs& inputs,

@@ -78,6 +78,7 @@ int choose_next_pairs(const NextCommand& command, const AnswerInputs& inputs,
   write_file(command.out, yaml);
   console.out << command.out << '\n';
   write_next_tables(command, pair_tables(choice), console);
+  write_next_methods(command, pair_methods(choice), console);
   return exit_done;
 }
 

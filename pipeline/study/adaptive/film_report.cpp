@@ -81,15 +81,18 @@ std::string aim_text(const FilmAim& aim) {
 
 std::string film_report(const FilmChoice& choice) {
   std::string text = choice.rated.simulated ? "simulated answers\n" : "";
-  text += fmt::format("{} of {} films that the examples allow, {}\n", choice.next.films.size(),
-                      choice.candidates.size(), aim_text(choice.aim));
+  text += fmt::format("{} of {} films that the examples allow, {}{}\n", choice.next.films.size(),
+                      choice.candidates.size(), aim_text(choice.aim),
+                      choice.rated.scales.empty()
+                          ? "; nothing is rated yet, so they are chosen by their features alone"
+                          : "");
   for (std::size_t f = 0; f < choice.next.films.size(); ++f) {
     const NextFilm& film = choice.next.films[f];
     text += fmt::format("  {}  {:40} {}\n", choice.ids[f], blend_text(choice, film.candidate),
                         reason(choice, film));
   }
   if (choice.rounds.size() > 1) text += rounds_text(choice);
-  return text + known_text(choice);
+  return choice.rated.scales.empty() ? text : text + known_text(choice);
 }
 
 }  // namespace mien::pipeline

@@ -114,13 +114,22 @@ std::string round_id(int round, std::size_t film) {
   return fmt::format("round{}-{:02}", round, film + 1);
 }
 
-int first_free_round(const Manifest& manifest) {
-  int round = 2;
+int first_free_round(const Manifest& manifest, int from) {
+  int round = from;
   const auto is_taken = [&](const Stimulus& stimulus) {
     return stimulus.id.starts_with(fmt::format("round{}-", round));
   };
   while (std::ranges::any_of(manifest.stimuli, is_taken)) ++round;
   return round;
+}
+
+/// Whether a study's name ends with a number of at most four digits after a dash.
+bool is_numbered(const std::string& study) {
+  const std::size_t dash = study.rfind('-');
+  return dash != std::string::npos && dash + 1 < study.size() && study.size() - dash <= 5 &&
+         study[dash + 1] != '0' &&
+         std::all_of(study.begin() + static_cast<std::ptrdiff_t>(dash) + 1, study.end(),
+                     [](unsigned char c) { return std::isdigit(c); });
 }
 
 }  // namespace
@@ -171,10 +180,10 @@ RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
 
 Manifest next_round(const Manifest& manifest, const FilmSpace& space,
                     const std::vector<FilmCandidate>& candidates, const NextFilms& next,
-                    const std::string& name) {
+                    const std::string& name, int from) {
   Manifest round = manifest;
   round.study = name;
-  const int number = first_free_round(manifest);
+  const int number = first_free_round(manifest, from);
   round.questionnaire->stimuli = {};
   for (std::size_t f = 0; f < next.films.size(); ++f) {
     Stimulus stimulus = plain_stimulus(manifest);
@@ -189,14 +198,13 @@ Manifest next_round(const Manifest& manifest, const FilmSpace& space,
   return round;
 }
 
+std::string name_of_first_round(const std::string& study) {
+  return is_numbered(study) ? name_of_next_round(study) : study + "-1";
+}
+
 std::string name_of_next_round(const std::string& study) {
+  if (!is_numbered(study)) return study + "-2";
   const std::size_t dash = study.rfind('-');
-  const bool is_numbered =
-      dash != std::string::npos && dash + 1 < study.size() && study.size() - dash <= 5 &&
-      study[dash + 1] != '0' &&
-      std::all_of(study.begin() + static_cast<std::ptrdiff_t>(dash) + 1, study.end(),
-                  [](unsigned char c) { return std::isdigit(c); });
-  if (!is_numbered) return study + "-2";
   return fmt::format("{}-{}", study.substr(0, dash), std::stoi(study.substr(dash + 1)) + 1);
 }
 

@@ -40,11 +40,15 @@ RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
                        const std::vector<std::string>& asked);
 
 /// The manifest of the next round: that of the study so far, with the films as further stimuli,
-/// "round2-01", "round2-02" …, numbered by the first round whose names are free, and with a
-/// questionnaire about these alone. `name`: of the study.
+/// "round2-01", "round2-02" …, and with a questionnaire about these alone. They are numbered by the
+/// first round, from `from` on, whose names are free. `name`: of the study.
 Manifest next_round(const Manifest& manifest, const FilmSpace& space,
                     const std::vector<FilmCandidate>& candidates, const NextFilms& next,
-                    const std::string& name);
+                    const std::string& name, int from = 2);
+
+/// "walks-1" for "walks": a study's name in its first round. A name that is numbered is counted on,
+/// as by name_of_next_round.
+std::string name_of_first_round(const std::string& study);
 
 /// "closed-loop-3" after "closed-loop-2", and "walks-2" after "walks".
 std::string name_of_next_round(const std::string& study);

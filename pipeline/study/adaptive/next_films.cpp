@@ -91,12 +91,25 @@ Knowledge knowledge_of(const RatedFilms& rated, const MatrixXd& places, const St
   const GaussianProcess process = rating_process(rated, by);
   JointPrediction joint = jointly_predicted(process, places);
   Knowledge known{.mean = std::move(joint.mean), .covariance = std::move(joint.covariance)};
-  known.noise = deviation_variance(process) + rated.answer_variance / options.answers;
+  known.noise = deviation_variance(process.parameters) + rated.answer_variance / options.answers;
   known.at_first = known.left();
   known.direction = options.aim.highest ? 1.0 : -1.0;
   known.best = known.direction *
                (known.direction * jointly_predicted(process, process.observations.predictors).mean)
                    .maxCoeff();
+  return known;
+}
+
+/// What is known of any scale before anything is rated, in standard deviations of the films' mean
+/// ratings.
+Knowledge knowledge_before_ratings(const MatrixXd& places, const NextOptions& options) {
+  constexpr double variance_of_mean = 1.0, answer_variance = 2.0;
+  const auto families = one_family(places.cols());
+  const ProcessParameters usual = usual_parameters(families.size(), 1.0);
+  JointPrediction joint = prior_prediction(families, usual, places, variance_of_mean);
+  Knowledge known{.mean = std::move(joint.mean), .covariance = std::move(joint.covariance)};
+  known.noise = deviation_variance(usual) + answer_variance / options.answers;
+  known.at_first = known.left();
   return known;
 }
 
@@ -111,7 +124,7 @@ void mark_near(const MatrixXd& places, const RowVectorXd& place, double apart,
 /// Whether each candidate is not apart from some film that is rated, on every scale.
 std::vector<bool> rated_already(const MatrixXd& places, const std::vector<RatedFilms>& rated,
                                 const Standardisation& by, double apart) {
-  std::vector<bool> known(static_cast<std::size_t>(places.rows()), true);
+  std::vector<bool> known(static_cast<std::size_t>(places.rows()), !rated.empty());
   for (const RatedFilms& scale : rated) {
     std::vector<bool> near(known.size());
     const MatrixXd films = by.of(scale.places);
@@ -154,7 +167,7 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
   places = by.of(places);
   std::vector<Knowledge> scales;
   const Knowledge* aimed = nullptr;
-  scales.reserve(rated.size());
+  scales.reserve(rated.size() + 1);
   for (const RatedFilms& scale : rated) {
     scales.push_back(knowledge_of(scale, places, by, options));
     if (scale.scale == options.aim.scale) aimed = &scales.back();
@@ -172,7 +185,10 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
     return share / static_cast<double>(scales.size());
   };
   NextFilms next;
-  for (const Knowledge& scale : scales) {
+  const bool is_first = rated.empty();
+  if (is_first) scales.push_back(knowledge_before_ratings(places, options));
+  for (std::size_t s = 0; s < rated.size(); ++s) {
+    const Knowledge& scale = scales[s];
     next.known_now.push_back(scale.expected_error());
     next.known.push_back({scale.mean, scale.covariance.diagonal().cwiseMax(0.0).cwiseSqrt()});
   }
@@ -186,8 +202,10 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
     if (best.gain < 0.0) break;
     const auto chosen = static_cast<Index>(best.candidate);
     for (Knowledge& scale : scales) {
-      best.mean.push_back(scale.mean[chosen]);
-      best.deviation.push_back(scale.deviation_at(chosen));
+      if (!is_first) {
+        best.mean.push_back(scale.mean[chosen]);
+        best.deviation.push_back(scale.deviation_at(chosen));
+      }
       scale.choose(chosen);
     }
     mark_near(places, places.row(chosen), options.apart, taken);
@@ -196,7 +214,8 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
   if (next.films.empty())
     throw Error("every film that could be made is rated already, or nearly the same as one that is",
                 "add examples, or stop here");
-  for (const Knowledge& scale : scales) next.known_then.push_back(scale.expected_error());
+  for (std::size_t s = 0; s < rated.size(); ++s)
+    next.known_then.push_back(scales[s].expected_error());
   return next;
 }
 

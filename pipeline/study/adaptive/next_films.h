@@ -69,8 +69,8 @@ struct ScaleKnowledge {
 
 struct NextFilms {
   std::vector<NextFilm> films;  ///< in the order in which they are chosen
-  /// By scale: root mean square, over all candidates, of the standard deviation of the expected
-  /// rating, now and, as expected, once the films are rated; in points.
+  /// By scale (none where nothing is rated): root mean square, over all candidates, of the standard
+  /// deviation of the expected rating, now and, as expected, once the films are rated; in points.
   std::vector<double> known_now, known_then;
   std::vector<ScaleKnowledge> known;  ///< by scale
 };
@@ -86,6 +86,11 @@ struct NextFilms {
 /// be as expected (Ginsbourger et al. 2010, kriging believer), and films that are not
 /// `apart` from it are left out, as are those that are not from a film that is rated on every
 /// scale. Of equal candidates the first is chosen.
+///
+/// Without any rated scale, the first films are chosen to learn, by their parameters alone: on a
+/// scale of which nothing is known but what is usual (usual_parameters) where the mean of all
+/// ratings is as uncertain as films differ, and answers to one film have twice the variance of the
+/// films' means (our choice). `gain` then refers to this scale, and there are no means.
 ///
 /// Throws Error if fewer than three films are rated on a scale, if no available candidate is apart
 /// from the rated films, or if the scale of the aim has no ratings.

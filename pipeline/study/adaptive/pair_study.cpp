@@ -115,11 +115,11 @@ PairStudy pair_study(const Manifest& manifest, const std::vector<std::vector<Ans
   return study;
 }
 
-double planned_answers(const Manifest& manifest, std::size_t pairs) {
+double planned_answers(const Manifest& manifest, std::size_t count) {
   const Questionnaire& asked = questionnaire_of(manifest);
   const double shown = asked.per_participant == 0
                            ? 1.0
-                           : std::min(1.0, asked.per_participant / static_cast<double>(pairs));
+                           : std::min(1.0, asked.per_participant / static_cast<double>(count));
   return std::max(1.0, asked.participants * shown);
 }
 

@@ -30,9 +30,9 @@ struct PairStudy {
 PairStudy pair_study(const Manifest& manifest, const std::vector<std::vector<AnswerRow>>& rounds,
                      const std::vector<std::string>& asked);
 
-/// The number of answers to each pair of the next round that the manifest plans, if it asks
-/// `pairs`.
-double planned_answers(const Manifest& manifest, std::size_t pairs);
+/// The number of answers to each pair, or film, of the next round that the manifest plans, if it
+/// asks about `count`.
+double planned_answers(const Manifest& manifest, std::size_t count);
 
 /// The manifest of the next round: that of the study so far, with a questionnaire that lists the
 /// chosen pairs and names all stimuli that can be compared. `name`: of the study.

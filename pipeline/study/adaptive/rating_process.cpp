@@ -34,6 +34,12 @@ RatedFilms films_among(const RatedFilms& rated, const std::vector<Index>& films)
   return some;
 }
 
+std::vector<std::vector<int>> one_family(Index parameters) {
+  std::vector<int> columns(static_cast<std::size_t>(parameters));
+  std::iota(columns.begin(), columns.end(), 0);
+  return {columns};
+}
+
 GaussianProcess rating_process(const RatedFilms& rated, const Standardisation& by) {
   const Index count = rated.mean.size();
   if (count < fewest_rated)
@@ -45,9 +51,7 @@ GaussianProcess rating_process(const RatedFilms& rated, const Standardisation& b
   observations.noise_variance = rated.answer_variance * rated.answers.cast<double>().cwiseInverse();
   observations.group.resize(static_cast<std::size_t>(count));
   std::iota(observations.group.begin(), observations.group.end(), 0);
-  std::vector<int> all_columns(static_cast<std::size_t>(rated.places.cols()));
-  std::iota(all_columns.begin(), all_columns.end(), 0);
-  return fit_process({all_columns}, observations);
+  return fit_process(one_family(rated.places.cols()), observations);
 }
 
 }  // namespace mien::pipeline

@@ -134,7 +134,7 @@ TEST(GaussianProcess, IsJointlyPredictedAsWithOneObservationMore) {
   MatrixXd places = observations(11, 4, 1, 3).predictors;
   places.row(0) = all.predictors.row(5);
   const JointPrediction before = jointly_predicted(process, places);
-  EXPECT_NEAR(deviation_variance(process), 0.16 + 0.09, 1e-12);
+  EXPECT_NEAR(deviation_variance(process.parameters), 0.16 + 0.09, 1e-12);
   for (int i = 0; i < 4; ++i) {
     const ProcessPrediction alone = predicted(process, places.row(i));
     EXPECT_NEAR(before.mean[i], alone.mean, 1e-12);

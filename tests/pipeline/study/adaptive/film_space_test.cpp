@@ -112,9 +112,13 @@ TEST_F(FilmSpaceTest, NextRoundHasTheNewFilmsAndShowsThemAlone) {
   const Manifest third = next_round(round, space, candidates, next, "walks-3");
   EXPECT_EQ(third.questionnaire->stimuli.ids, (std::vector<std::string>{"round3-01", "round3-02"}));
   EXPECT_EQ(third.stimuli.size(), 9u);
+  const Manifest first = next_round(manifest, space, candidates, next, "walks-1", 1);
+  EXPECT_EQ(first.questionnaire->stimuli.ids, (std::vector<std::string>{"round1-01", "round1-02"}));
 }
 
 TEST(NameOfNextRound, CountsOn) {
+  EXPECT_EQ(name_of_first_round("walks"), "walks-1");
+  EXPECT_EQ(name_of_first_round("walks-1"), "walks-2");
   EXPECT_EQ(name_of_next_round("walks"), "walks-2");
   EXPECT_EQ(name_of_next_round("walks-2"), "walks-3");
   EXPECT_EQ(name_of_next_round("walks-9"), "walks-10");
