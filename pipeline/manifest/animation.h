@@ -9,6 +9,7 @@
 #include "motion/animate/constraint.h"
 #include "motion/animate/frozen_parts.h"
 #include "motion/animate/keys.h"
+#include "motion/animate/motion_ends.h"
 #include "motion/text/words.h"
 #include "pipeline/base/documents/concerns.h"
 
@@ -66,6 +67,17 @@ struct FreezingForm {
   static void walk(auto& names) {
     names.add("parts");
     names.add("at");
+  }
+};
+
+/// `ends: loop`, or seconds for which the first and last pose stay: `ends: {before: 0.5, after:
+/// 1}`.
+struct EndsForm {
+  static void read(const DocumentValue& given, motion::MotionEnds& ends);
+  static nlohmann::ordered_json write(const motion::MotionEnds& ends, const WritingOptions&);
+  static void walk(auto& names) {
+    names.add("before");
+    names.add("after");
   }
 };
 

@@ -48,6 +48,7 @@ void add_steps(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
     if (!step.keys.empty()) key.add("modify.keys", written(step.keys, how).dump());
     if (!step.constraints.empty())
       key.add("modify.constraints", written(step.constraints, how).dump());
+    if (!step.ends.is_empty()) key.add("modify.ends", EndsForm::write(step.ends, how).dump());
   }
 }
 

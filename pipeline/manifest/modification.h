@@ -208,6 +208,7 @@ struct ModificationStep {
   std::vector<motion::DriveEditing> drives;
   std::vector<motion::AnimatorKey> keys;
   std::vector<motion::MotionConstraint> constraints;
+  motion::MotionEnds ends;
 };
 
 /// The members of a map that belong to an older method: its name and options.
@@ -229,6 +230,7 @@ void fields_of(auto&& field, MaybeConst<ModificationStep> auto& step) {
   field("drives", step.drives, concerns::motion);
   field("keys", step.keys, concerns::motion);
   field("constraints", step.constraints, concerns::motion);
+  field.by("ends", step.ends, concerns::motion, EndsForm());
 }
 
 }  // namespace mien::pipeline

@@ -25,7 +25,7 @@ class AnimationChecker : public FaultList {
   void check(const Stimulus& stimulus) {
     for (const ModificationStep& step : stimulus.modify) {
       const bool is_last = &step == &stimulus.modify.back();
-      for (const char* list : {"freeze", "drives", "keys", "constraints"}) {
+      for (const char* list : {"freeze", "drives", "keys", "constraints", "ends"}) {
         if (is_last || !was_given(member_path(step.path, list))) continue;
         add(member_path(step.path, list), "later steps would change what they place",
             "move them to the last step");

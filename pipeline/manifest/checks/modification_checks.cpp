@@ -84,7 +84,7 @@ class StepChecker : FaultList {
           "limbs",     "posture",     "pose",      "step_width",  "step_length",  "sway",
           "arm_swing", "trunk_swing", "gesture",   "range",       "tempo",        "gravity",
           "stiffness", "weight",      "variation", "soft_limits", "freeze",       "drives",
-          "keys",      "constraints"}) {
+          "keys",      "constraints", "ends"}) {
       if (!was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, key), "a step with a method has no other changes",
           "make a list of two steps");

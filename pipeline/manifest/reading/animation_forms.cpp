@@ -79,6 +79,22 @@ OrderedJson FreezingForm::write(const motion::Freezing& freezing, const WritingO
   return {{"parts", std::move(parts)}, {"at", MomentForm::write(*freezing.at, how)}};
 }
 
+void EndsForm::read(const DocumentValue& given, motion::MotionEnds& ends) {
+  ends = {};
+  ends.loops = given.value == "loop";
+  if (!given.value.is_object()) return;
+  assign(member(given.value, "before"), ends.hold_before);
+  assign(member(given.value, "after"), ends.hold_after);
+}
+
+OrderedJson EndsForm::write(const motion::MotionEnds& ends, const WritingOptions&) {
+  if (ends.loops) return "loop";
+  OrderedJson held = OrderedJson::object();
+  if (ends.hold_before > 0.0) held["before"] = ends.hold_before;
+  if (ends.hold_after > 0.0) held["after"] = ends.hold_after;
+  return held.empty() ? OrderedJson() : held;
+}
+
 void PlaceForm::read(const DocumentValue& given, std::optional<motion::Vec3>& place) {
   std::optional<std::array<double, 3>> numbers;
   assign(&given.value, numbers);

@@ -54,6 +54,7 @@ OrderedJson step_of(const ModificationStep& step) {
   if (!step.drives.empty()) map["drives"] = written(step.drives, by_name);
   if (!step.keys.empty()) map["keys"] = written(step.keys, by_name);
   if (!step.constraints.empty()) map["constraints"] = written(step.constraints, by_name);
+  if (!step.ends.is_empty()) map["ends"] = EndsForm::write(step.ends, by_name);
   return map;
 }
 

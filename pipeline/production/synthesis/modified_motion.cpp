@@ -10,6 +10,7 @@
 #include "motion/animate/body_drive.h"
 #include "motion/animate/constraints.h"
 #include "motion/animate/keys.h"
+#include "motion/animate/motion_ends.h"
 #include "motion/formats/motion_file.h"
 #include "motion/lint/lint.h"
 #include "motion/modify/modified_example.h"
@@ -86,7 +87,7 @@ motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
 }
 
 /// The frozen parts, drives, keys and constraints of the last step, which come after everything
-/// else.
+/// else, and a loop made of it.
 void animate(ModifiedMotion& result, const ModificationStep& step) {
   const auto take = [&](motion::AnimatedClip made) {
     result.motion.clip = std::move(made.clip);
@@ -98,6 +99,29 @@ void animate(ModifiedMotion& result, const ModificationStep& step) {
   if (!step.keys.empty()) take(motion::with_keys(result.motion.clip, step.keys));
   if (!step.constraints.empty())
     take(motion::with_constraints(result.motion.clip, step.constraints));
+  if (step.ends.loops) {
+    take(motion::with_ends(result.motion.clip, step.ends));
+    if (!result.motion.keytimes.empty())
+      result.motion.keytimes.back() = result.motion.clip.duration_seconds();
+  }
+}
+
+/// The poses that the last step holds at the ends. They come after the lint, because they are no
+/// fault: nothing moves in them, and the motion begins and stops at once.
+void hold_ends(ModifiedMotion& result, const motion::MotionEnds& ends) {
+  if (ends.loops || ends.is_empty()) return;
+  motion::Clip& clip = result.motion.clip;
+  const double end = clip.duration_seconds();
+  clip = motion::with_ends(clip, ends).clip;
+  const int later = motion::frames_before(ends, clip.frames_per_second);
+  const double later_s = later / clip.frames_per_second;
+  for (motion::Finding& finding : result.findings) {
+    finding.first += later;
+    finding.last += later;
+  }
+  for (double& time : result.times) time += later_s;
+  for (double& time : result.motion.keytimes)
+    time = time <= 0.0 ? 0.0 : time >= end ? clip.duration_seconds() : time + later_s;
 }
 
 /// That a part which was frozen does not move is no fault.
@@ -123,8 +147,10 @@ ModifiedMotion at_share(const motion::Example& original, const Steps& steps, dou
   result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
   if (share > 0.0 && !steps.stimulus.modify.empty()) animate(result, steps.stimulus.modify.back());
   result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
-  if (!steps.stimulus.modify.empty())
-    omit_frozen(result.findings, steps.stimulus.modify.back().freeze);
+  if (steps.stimulus.modify.empty()) return result;
+  const ModificationStep& last = steps.stimulus.modify.back();
+  omit_frozen(result.findings, last.freeze);
+  if (share > 0.0) hold_ends(result, last.ends);
   return result;
 }
 
@@ -216,7 +242,7 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
   return result;
 }
 
-/// "frozen parts, 1 drive, 3 keys, 1 constraint"; empty for none.
+/// "frozen parts, 1 drive, 3 keys, 1 constraint, ends held"; empty for none.
 std::string described_animation(const ModificationStep& step) {
   std::vector<std::string> parts;
   if (!step.freeze.parts.empty()) parts.emplace_back("frozen parts");
@@ -226,6 +252,11 @@ std::string described_animation(const ModificationStep& step) {
   count(step.drives.size(), "drive", "drives");
   count(step.keys.size(), "key", "keys");
   count(step.constraints.size(), "constraint", "constraints");
+  if (step.ends.loops) parts.emplace_back("made to loop");
+  if (step.ends.hold_before > 0.0)
+    parts.push_back(fmt::format("first pose held for {} s", shortest(step.ends.hold_before)));
+  if (step.ends.hold_after > 0.0)
+    parts.push_back(fmt::format("last pose held for {} s", shortest(step.ends.hold_after)));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -96,6 +96,35 @@ TEST(AnimatedMotion, HasFrozenPartsThatAreNoFault) {
   EXPECT_EQ(std::ranges::count(others, "RightWrist"), 1);
 }
 
+TEST(AnimatedMotion, HoldsItsEndsWithoutFault) {
+  Stimulus stimulus;
+  stimulus.id = "s";
+  stimulus.on_fault = OnFault::revert;
+  motion::Example walk = settled_walk();
+  walk.clip = motion::repeated(walk.clip, 2);
+  walk.keytimes = {0.0, walk.clip.duration_seconds()};
+  stimulus.output.fps = walk.clip.frames_per_second;
+  const ModifiedMotion plain = modify_motion(walk, stimulus, {}, {0.25});
+  stimulus.modify = {{.ends = {.hold_before = 0.5, .hold_after = 1.0}}};
+  const ModifiedMotion held = modify_motion(walk, stimulus, {}, {0.25});
+  EXPECT_EQ(held.share, 1.0);
+  EXPECT_TRUE(held.warnings.empty());
+  const auto before = static_cast<int>(std::lround(0.5 * stimulus.output.fps));
+  EXPECT_EQ(held.motion.clip.frame_count(), plain.motion.clip.frame_count() + 3 * before);
+  EXPECT_NEAR(held.times[0], 0.75, 1e-9);
+  ASSERT_EQ(held.findings.size(), plain.findings.size());
+  for (std::size_t f = 0; f < held.findings.size(); ++f)
+    EXPECT_EQ(held.findings[f].first, plain.findings[f].first + before);
+  EXPECT_EQ(held.motion.keytimes.front(), plain.motion.keytimes.front());
+  EXPECT_NEAR(held.motion.keytimes.back(), held.motion.clip.duration_seconds(), 1e-9);
+  EXPECT_EQ(described_modifications(stimulus), "first pose held for 0.5 s, last pose held for 1 s");
+  // A loop instead.
+  stimulus.modify[0].ends = {.loops = true};
+  const ModifiedMotion loop = modify_motion(walk, stimulus, {});
+  EXPECT_TRUE(loop.motion.clip.loops);
+  EXPECT_EQ(described_modifications(stimulus), "made to loop");
+}
+
 TEST(AnimatedMotion, EditsDrivesBeforeKeys) {
   Stimulus stimulus = animated(0.0, 30.0);
   stimulus.modify[0].drives = {
