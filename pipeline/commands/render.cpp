@@ -184,6 +184,10 @@ std::vector<CommandOption> look_options(LookOptions& look) {
                      "character (" +
                      fmt::format("{}", fmt::join(scenes::character_endings, ", ")) + ")")
               .with_default(),
+          option("--face", &look.face,
+                 "Of a character: neutral, hidden, weights (\"happy: 0.6\"), or a file of weights "
+                 "(.csv, .glb)")
+              .with_default("neutral"),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
                  "sets); default: studio, or void for point-light figures and markers")};

@@ -142,6 +142,7 @@ void name_people(Manifest& manifest) {
       person.motion.id = stimulus.id + "." + person.name;
       person.motion.path = element_path(member_path(stimulus.path, "people"), i);
       if (person.figure) person.motion.look.figure = *person.figure;
+      if (person.face) person.motion.look.face = *person.face;
     }
   }
 }

@@ -150,6 +150,7 @@ struct Person {
   std::optional<StagePlace> place;       ///< if not given, the motion stays where it is
   double start = 0.0;                    ///< seconds of the film at which the motion begins
   std::optional<scenes::Figure> figure;  ///< a body; if not given, the figure of the stimulus
+  std::optional<scenes::Face> face;      ///< of a character; if not given, that of the stimulus
   std::string colour;                    ///< "#rrggbb"; if empty, by the person's number
 };
 
@@ -185,6 +186,7 @@ void fields_of(auto&& field, MaybeConst<Person> auto& person) {
   field("start", person.start, concerns::picture);
   field.group("look", [&](auto& look) {
     look.by("figure", person.figure, concerns::picture, PersonFigureForm());
+    look.by("face", person.face, concerns::picture, PersonFaceForm());
     look("colour", person.colour, concerns::picture);
   });
 }

@@ -18,6 +18,7 @@
 #include "scenes/character/character_file.h"
 #include "scenes/character/character_parts.h"
 #include "scenes/character/fbx_character.h"
+#include "scenes/character/gltf_morphs.h"
 #include "scenes/character/leaf_twist.h"
 
 namespace mien::scenes {
@@ -56,6 +57,10 @@ void transform(Character& character, const Quat& turn, double scale) {
   for (SkinnedMesh& mesh : character.meshes) {
     for (Vec3& position : mesh.positions) position = scale * (turn * position);
     for (Vec3& normal : mesh.normals) normal = turn * normal;
+    for (MorphTarget& target : mesh.morphs) {
+      for (Vec3& move : target.positions) move = scale * (turn * move);
+      for (Vec3& normal : target.normals) normal = turn * normal;
+    }
   }
 }
 
@@ -167,6 +172,7 @@ Character character_of(CharacterParts parts) {
   character.meshes = std::move(parts.meshes);
   character.materials = std::move(parts.paint.materials);
   character.textures = std::move(parts.paint.textures);
+  character.face = std::move(parts.face);
   character.warnings = std::move(parts.warnings);
   const double extent = extent_of(character.rig);
   if (!(extent > 1e-9)) {
@@ -196,7 +202,9 @@ CharacterParts gltf_parts(const CharacterFile& file) {
   const BindPoseRig rig = gltf_rig(file, parts.warnings);
   parts.rig = rig.skeleton;
   parts.is_mirrored = rig.is_mirrored;
-  parts.meshes = gltf_meshes(file, rig, parts.warnings);
+  const GltfMorphs morphs = gltf_morphs(file, rig.meshes);
+  parts.meshes = gltf_meshes(file, rig, morphs, parts.warnings);
+  parts.face = gltf_face(file, rig.meshes, morphs, parts.warnings);
   parts.paint = gltf_materials(file, parts.warnings);
   return parts;
 }
@@ -346,16 +354,18 @@ motion::JointTransforms rig_pose(const Character& character, const motion::Pose&
   return now;
 }
 
-std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose) {
+std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose,
+                                std::span<const double> weights) {
   const JointMotions motions = joint_motions(rig_bind_pose(character), rig_pose(character, pose));
   std::vector<render::Mesh> meshes;
   for (const SkinnedMesh& mesh : character.meshes) {
-    meshes.push_back(linear_blend_skinned(mesh, motions));
+    meshes.push_back(linear_blend_skinned(mesh, motions, weights));
   }
   return meshes;
 }
 
-void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose) {
+void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose,
+                   std::span<const double> weights) {
   const auto first_material = static_cast<int>(scene.materials.size());
   const auto first_texture = static_cast<int>(scene.textures.size());
   const auto first_part = static_cast<int>(scene.parts.size());
@@ -369,7 +379,7 @@ void add_character(render::Scene& scene, const Character& character, const motio
   for (const motion::Joint& joint : character.body.joints) {
     scene.parts.push_back({joint.name, figure});
   }
-  for (render::Mesh& mesh : posed(character, pose)) {
+  for (render::Mesh& mesh : posed(character, pose, weights)) {
     mesh.material += first_material;
     for (int& part : mesh.triangle_parts) part += first_part;
     scene.solids.meshes.push_back(std::move(mesh));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
+#include "scenes/character/face_control.h"
 #include "scenes/skinning/skinned_model.h"
 
 namespace mien::scenes {
@@ -24,6 +26,7 @@ struct Character {
   std::vector<SkinnedMesh> meshes;  ///< influences refer to joints of the rig
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
+  FaceControls face;  ///< the morphs of the meshes
 
   /// Rotation of each joint of the body in the bind pose, world space; identities if that is a
   /// T-pose.
@@ -47,7 +50,9 @@ bool is_character_file(const std::filesystem::path& path);
 ///
 /// - All triangle primitives are read, of skinned meshes and of meshes without a skin that are
 ///   attached to a joint, with base colour factors, textures and normal maps (PNG, JPEG, WebP).
-///   Vertex colours, morph targets and transparency are omitted with a warning.
+///   Vertex colours and transparency are omitted with a warning.
+/// - Morph targets of glTF files and the expressions of VRM are read (gltf_morphs.h,
+///   vrm_expressions.h); those of FBX files are omitted with a warning.
 /// - Joints are identified by the names of common rigs (motion/rig/rig_names.h), by the humanoid
 ///   bones of VRM 0 and 1, or else by the shape of their tree. The bind pose, a T-pose or an
 ///   A-pose, determines the orientation of the joints relative to the bones.
@@ -91,12 +96,14 @@ motion::JointTransforms rig_bind_pose(const Character& character);
 /// ancestor that has one, else the pelvis.
 std::vector<int> body_joint_of(const Character& character);
 
-/// The meshes in a pose of the character's body (linear blend skinning); materials are the
-/// character's.
-std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose);
+/// The meshes in a pose of the character's body, after their morph targets (linear blend skinning);
+/// materials are the character's. `weights` has one for each morph (FaceControls); empty: all 0.
+std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose,
+                                std::span<const double> weights = {});
 
 /// Appends the posed character to a scene, with its materials and textures, as part of the scene's
 /// last figure. Its parts are named like the body's joints. The character must outlive the scene.
-void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose);
+void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose,
+                   std::span<const double> weights = {});
 
 }  // namespace mien::scenes

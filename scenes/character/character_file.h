@@ -16,6 +16,8 @@
 
 namespace mien::scenes {
 
+struct GltfMorphs;
+
 /// A parsed glTF file. Its indices are not yet checked.
 struct CharacterFile {
   motion::GltfFile gltf;
@@ -34,7 +36,7 @@ BindPoseRig gltf_rig(const CharacterFile& file, std::vector<std::string>& warnin
 /// All primitives in the bind pose, in the file's world space. Material 0 is a default; the file's
 /// own materials follow. Throws mien::Error.
 std::vector<SkinnedMesh> gltf_meshes(const CharacterFile& file, const BindPoseRig& rig,
-                                     std::vector<std::string>& warnings);
+                                     const GltfMorphs& morphs, std::vector<std::string>& warnings);
 
 /// The materials of a file (the first is a default) and the textures that they use. Throws
 /// mien::Error when a picture is missing or does not decode.

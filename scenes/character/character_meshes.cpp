@@ -1,6 +1,7 @@
 
 #include "motion/formats/gltf/gltf_accessor.h"
 #include "scenes/character/character_file.h"
+#include "scenes/character/gltf_morphs.h"
 #include "scenes/character/placed_mesh.h"
 
 namespace mien::scenes {
@@ -11,6 +12,7 @@ using motion::Vec3;
 using nlohmann::json;
 
 using motion::get_it_again;
+constexpr std::size_t most_target_values = 200'000'000;  // vertices of all morph targets
 constexpr int triangles_mode = 4;
 constexpr int strip_mode = 5;
 constexpr int fan_mode = 6;
@@ -123,7 +125,6 @@ void put_uv(const Primitive& primitive, size_t vertices, SkinnedMesh& mesh) {
 struct UnsupportedFeatures {
   bool has_lines = false;
   bool has_unweighted = false;
-  bool has_targets = false;
   bool has_colours = false;
 
   void add_warnings(std::vector<std::string>& warnings) const {
@@ -131,13 +132,18 @@ struct UnsupportedFeatures {
     if (has_unweighted) {
       warnings.push_back("Some vertices have no weights; they follow the skin's first joint.");
     }
-    if (has_targets) warnings.push_back("Morph targets are not applied.");
     if (has_colours) warnings.push_back("Vertex colours are not drawn.");
   }
 };
 
+/// Where the morph targets of a mesh go.
+struct MorphPlace {
+  int first = 0;             ///< morph of the mesh's first target
+  std::size_t& values_left;  ///< of all targets of the file
+};
+
 SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const BindPoseRig& rig,
-                    int mode, UnsupportedFeatures& unsupported) {
+                    int mode, const MorphPlace& morphs, UnsupportedFeatures& unsupported) {
   const int accessor = primitive.accessor("POSITION");
   if (accessor < 0) primitive.refuse("it has no positions");
   SkinnedMesh mesh;
@@ -148,6 +154,8 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
   mesh.triangles = triangles_of(corners_of(primitive, vertices), mode);
   mesh.normals = vectors_of(primitive.numbers("NORMAL", 3, vertices));
   put_uv(primitive, vertices, mesh);
+  mesh.morphs = primitive_morphs(primitive.file, primitive.given, primitive.use, vertices,
+                                 morphs.first, morphs.values_left);
   if (placed.skin >= 0) {
     const auto skin = static_cast<size_t>(placed.skin);
     const std::vector<int>& joints = primitive.file.gltf.model.skins[skin].joints;
@@ -166,11 +174,13 @@ SkinnedMesh mesh_of(const Primitive& primitive, const PlacedMesh& placed, const 
 }  // namespace
 
 std::vector<SkinnedMesh> gltf_meshes(const CharacterFile& file, const BindPoseRig& rig,
-                                     std::vector<std::string>& warnings) {
+                                     const GltfMorphs& morphs, std::vector<std::string>& warnings) {
   std::vector<SkinnedMesh> meshes;
   std::size_t vertices = 0;
+  std::size_t values_left = most_target_values;
   UnsupportedFeatures unsupported;
-  for (const PlacedMesh& placed : rig.meshes) {
+  for (size_t m = 0; m < rig.meshes.size(); ++m) {
+    const PlacedMesh& placed = rig.meshes[m];
     const json& given = list_in(file.json, "meshes")[static_cast<size_t>(placed.mesh)];
     const json& primitives = list_in(given, "primitives");
     for (size_t p = 0; p < primitives.size(); ++p) {
@@ -180,10 +190,10 @@ std::vector<SkinnedMesh> gltf_meshes(const CharacterFile& file, const BindPoseRi
       const int stated = index_in(file, primitives[p], "mode", 7, primitive.use);
       const int mode = stated < 0 ? triangles_mode : stated;
       unsupported.has_lines |= mode < triangles_mode;
-      unsupported.has_targets |= !list_in(primitives[p], "targets").empty();
       unsupported.has_colours |= primitive.accessor("COLOR_0") >= 0;
       if (mode >= triangles_mode) {
-        meshes.push_back(mesh_of(primitive, placed, rig, mode, unsupported));
+        meshes.push_back(
+            mesh_of(primitive, placed, rig, mode, {morphs.first[m], values_left}, unsupported));
         vertices += meshes.back().positions.size();
         if (vertices > most_vertices) primitive.refuse("there are more vertices than supported");
       }

@@ -5,6 +5,7 @@
 
 #include "motion/skeleton/skeleton.h"
 #include "render/scene/scene.h"
+#include "scenes/character/face_control.h"
 #include "scenes/skinning/skinned_model.h"
 
 namespace mien::scenes {
@@ -26,6 +27,7 @@ struct CharacterParts {
   bool is_mirrored = false;  ///< whether the meshes are stored as the figure's mirror image
   std::vector<SkinnedMesh> meshes;
   CharacterMaterials paint;
+  FaceControls face;
   std::vector<std::string> warnings;
 };
 

@@ -35,10 +35,32 @@ void make_unit(std::vector<Vec3>& normals) {
   }
 }
 
+/// Changes of normals become relative to the unit normals that `make_unit` will leave.
+void scale_morph_normals(SkinnedMesh& mesh) {
+  for (MorphTarget& target : mesh.morphs) {
+    for (size_t i = 0; i < target.normals.size(); ++i) {
+      const double length = mesh.normals[static_cast<size_t>(target.vertices[i])].norm();
+      target.normals[i] = length > 1e-30 ? Vec3(target.normals[i] / length) : Vec3::Zero();
+    }
+  }
+}
+
+/// Moves morph targets with the linear part of each vertex's transform.
+void place_morphs(const std::vector<Mat3>& linear, SkinnedMesh& mesh) {
+  for (MorphTarget& target : mesh.morphs) {
+    for (size_t i = 0; i < target.vertices.size(); ++i) {
+      const Mat3& of_vertex = linear[static_cast<size_t>(target.vertices[i])];
+      target.positions[i] = of_vertex * target.positions[i];
+      if (!target.normals.empty()) target.normals[i] = turned(of_vertex, target.normals[i]);
+    }
+  }
+}
+
 }  // namespace
 
 void place_mesh(const BindPoseRig& rig, const std::vector<int>& skin_joints,
                 const std::vector<Eigen::Affine3d>& to_world, SkinnedMesh& mesh) {
+  std::vector<Mat3> of_vertices;
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
     for (Influence& influence : mesh.influences[v]) {
@@ -49,15 +71,24 @@ void place_mesh(const BindPoseRig& rig, const std::vector<int>& skin_joints,
     const Mat3 linear = blend.leftCols<3>();
     mesh.positions[v] = linear * mesh.positions[v] + blend.col(3);
     if (!mesh.normals.empty()) mesh.normals[v] = turned(linear, mesh.normals[v]);
+    if (!mesh.morphs.empty()) of_vertices.push_back(linear);
   }
+  place_morphs(of_vertices, mesh);
   if (to_world.front().linear().determinant() >= 0.0) return;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   for (Vec3& normal : mesh.normals) normal = -normal;
+  for (MorphTarget& target : mesh.morphs)
+    for (Vec3& normal : target.normals) normal = -normal;
 }
 
 void complete_normals(SkinnedMesh& mesh) {
-  if (mesh.normals.empty()) mesh.normals = normals_of(mesh);
+  if (mesh.normals.empty()) {
+    mesh.normals = normals_of(mesh);
+    for (MorphTarget& target : mesh.morphs) target.normals.clear();
+  }
+  scale_morph_normals(mesh);
   make_unit(mesh.normals);
+  complete_morph_normals(mesh);
 }
 
 }  // namespace mien::scenes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/clip_markers.h"
@@ -62,6 +63,19 @@ const PointLightOptions* dots_in(const Figure& figure) {
 
 PointLightOptions* dots_in(Figure& figure) {
   return const_cast<PointLightOptions*>(dots_in(std::as_const(figure)));
+}
+
+Figure with_face(Figure figure, const Face& face) {
+  const auto put = [&]<class Options>(Options& options) {
+    if constexpr (std::is_same_v<Options, CharacterOptions>) options.face = face;
+  };
+  auto* trail = std::get_if<TrailOptions>(&figure);
+  if (trail != nullptr) {
+    std::visit(put, trail->figure);
+  } else {
+    std::visit(put, figure);
+  }
+  return figure;
 }
 
 const std::filesystem::path* file_of(const Figure& figure) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "motion/skeleton/clip.h"
+#include "scenes/figures/face.h"
 
 namespace mien::scenes {
 
@@ -55,11 +56,12 @@ struct MannequinOptions {
   friend bool operator==(const MannequinOptions&, const MannequinOptions&) = default;
 };
 
-/// A skinned character from a glTF file.
+/// A skinned character from a glTF or FBX file.
 struct CharacterOptions {
   static constexpr FigureKind kind = {.name = "character"};
 
   std::filesystem::path file;
+  Face face;  ///< by `with_face`; a manifest states it beside the figure
 
   friend bool operator==(const CharacterOptions&, const CharacterOptions&) = default;
 };
@@ -197,6 +199,9 @@ std::vector<std::string> figure_names() {
   });
   return names;
 }
+
+/// The figure with a face, if it, or a trail's figure, is a character; others have none.
+Figure with_face(Figure figure, const Face& face);
 
 /// The file that a figure, or a trail's figure, is read from; null for other kinds.
 const std::filesystem::path* file_of(const Figure& figure);

@@ -66,8 +66,44 @@ void cluster(const std::vector<Vec3>& centres, std::vector<int>::iterator first,
   cluster(centres, middle, last);
 }
 
+/// Linear blend skinning of vertices of the mesh.
+render::Mesh blended(const SkinnedMesh& mesh, const JointMotions& motions,
+                     const std::vector<Vec3>& positions, const std::vector<Vec3>& normals) {
+  render::Mesh result = unmoved(mesh);
+  for (size_t v = 0; v < positions.size(); ++v) {
+    Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
+    for (const Influence& influence : mesh.influences[v]) {
+      blend += static_cast<double>(influence.weight) *
+               motions[static_cast<size_t>(influence.joint)].matrix().topRows<3>();
+    }
+    const Mat3 linear = blend.leftCols<3>();
+    result.positions[v] = (linear * positions[v] + blend.col(3)).cast<float>();
+    result.normals[v] = turned_normal(linear, normals[v]).cast<float>();
+  }
+  return result;
+}
+
 void require(bool holds, const char* wrong) {
   if (!holds) throw std::invalid_argument(wrong);
+}
+
+void validate_morphs(const SkinnedMesh& mesh) {
+  for (const MorphTarget& target : mesh.morphs) {
+    const size_t count = target.vertices.size();
+    require(target.positions.size() == count, "morphs: one position per vertex is needed");
+    require(target.normals.empty() || target.normals.size() == count,
+            "morphs: one normal per vertex is needed");
+    for (size_t i = 0; i < count; ++i) {
+      const int vertex = target.vertices[i];
+      require(vertex >= 0 && static_cast<size_t>(vertex) < mesh.positions.size(),
+              "morphs: there is no such vertex");
+      require(i == 0 || target.vertices[i - 1] < vertex, "morphs: vertices are not in order");
+      require(target.positions[i].allFinite() && target.positions[i].cwiseAbs().maxCoeff() < 1e6,
+              "morphs: a number is not finite or too large");
+      require(target.normals.empty() || target.normals[i].cwiseAbs().maxCoeff() < 1e6,
+              "morphs: a normal is not finite or too large");
+    }
+  }
 }
 
 }  // namespace
@@ -103,18 +139,14 @@ JointMotions joint_motions(const motion::JointTransforms& bind,
 }
 
 render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions) {
-  render::Mesh result = unmoved(mesh);
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    Eigen::Matrix<double, 3, 4> blend = Eigen::Matrix<double, 3, 4>::Zero();
-    for (const Influence& influence : mesh.influences[v]) {
-      blend += static_cast<double>(influence.weight) *
-               motions[static_cast<size_t>(influence.joint)].matrix().topRows<3>();
-    }
-    const Mat3 linear = blend.leftCols<3>();
-    result.positions[v] = (linear * mesh.positions[v] + blend.col(3)).cast<float>();
-    result.normals[v] = turned_normal(linear, mesh.normals[v]).cast<float>();
-  }
-  return result;
+  return blended(mesh, motions, mesh.positions, mesh.normals);
+}
+
+render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
+                                  std::span<const double> weights) {
+  if (!is_morphed(mesh, weights)) return linear_blend_skinned(mesh, motions);
+  const MeshShape shape = morphed_shape(mesh, weights);
+  return blended(mesh, motions, shape.positions, shape.normals);
 }
 
 render::Mesh dual_quaternion_skinned(const SkinnedMesh& mesh, const JointMotions& motions) {
@@ -198,6 +230,7 @@ void validate(const SkinnedMesh& mesh, int joint_count) {
     }
     require(std::abs(sum - 1.0f) < 1e-4f, "influences: weights do not sum to 1");
   }
+  validate_morphs(mesh);
   for (const std::array<int, 3>& triangle : mesh.triangles) {
     for (const int vertex : triangle) {
       require(vertex >= 0 && static_cast<size_t>(vertex) < count,

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "motion/math/geometry.h"
 #include "motion/skeleton/pose.h"
 #include "render/scene/scene.h"
+#include "scenes/skinning/morph_target.h"
 
 namespace mien::scenes {
 
@@ -47,6 +49,7 @@ struct SkinnedMesh {
   /// Influences of each vertex: 1 … 8, largest weight first; weights sum to 1.
   std::vector<std::vector<Influence>> influences;
   int material = 0;  ///< index into the model's own list of materials
+  std::vector<MorphTarget> morphs;
 };
 
 /// Skinning matrices: each joint's present world transform times the inverse of its bind transform.
@@ -58,6 +61,11 @@ JointMotions joint_motions(const motion::JointTransforms& bind, const motion::Jo
 /// Linear blend skinning: every vertex is transformed by the weighted mean of its joints' matrices,
 /// its normal by the cofactor matrix. Accepts any affine transforms. Twisting limbs lose volume.
 render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
+
+/// The same of a mesh that its morph targets have changed first; `weights` has one for each morph
+/// of the figure.
+render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
+                                  std::span<const double> weights);
 
 /// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
 /// weighted sum of its joints' dual quaternions, each negated if its real part has a negative dot

@@ -8,6 +8,8 @@
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
 #include "scenes/character/character.h"
+#include "scenes/character/character_face.h"
+#include "scenes/character/hidden_face.h"
 #include "scenes/figures/stick_figure.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/point_light/dot_display.h"
@@ -30,6 +32,10 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
   if (motion::is_body(clip.body)) return;
   throw Error({clip.name}, figure + " needs a human body, which this motion does not have",
               "draw it as a stick figure");
+}
+
+Character shown(Character character, const Face& face) {
+  return face.is_hidden ? with_hidden_face(std::move(character)) : character;
 }
 
 /// A mannequin that is made on first use, because a shot whose frames are not rendered needs none.
@@ -81,14 +87,18 @@ struct ActorBuilder {
   void operator()(const CharacterOptions& options) const {
     require_body(actor.clip, "a character");
     const auto character = std::make_shared<const Character>(
-        scaled_to_body(read_character(options.file), actor.clip.body));
+        shown(scaled_to_body(read_character(options.file), actor.clip.body), options.face));
     // It has a stature of its own, which the camera has to know.
     actor.clip = retargeted_to(*character, actor.clip);
     actor.height_m = figure_height(actor.clip);
+    const auto face = std::make_shared<const FaceMotion>(
+        *character, options.face, actor.clip.frame_count(), actor.clip.frames_per_second);
     actor.warnings = character->warnings;
-    actor.draw = [character](render::Scene& scene, const Actor& self, int frame,
-                             const render::Camera&) {
-      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)]);
+    actor.warnings.insert(actor.warnings.end(), face->warnings().begin(), face->warnings().end());
+    actor.draw = [character, face](render::Scene& scene, const Actor& self, int frame,
+                                   const render::Camera&) {
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)],
+                    face->at(frame));
     };
   }
 

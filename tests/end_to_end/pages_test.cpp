@@ -64,6 +64,8 @@ const std::vector<NotRun> not_run = {
     {"./mien render character.fbx", "needs a file of several motions (fbx_test.cpp)"},
     {"./mien render walk.bvh --figure character.fbx", "needs a character (fbx_character_test.cpp)"},
     {"./mien render dance.vrma", "needs a character (vrm_character_test.cpp)"},
+    {"./mien render walk.bvh --figure avatar.vrm", "needs a character (face_test.cpp)"},
+    {"./mien render talk.bvh", "needs a character and a table of weights (face_test.cpp)"},
     {"./mien render walk.npz --body-model", "needs an SMPL model (smpl_model_test.cpp)"},
     {"./mien render walk.npz#markers", "needs markers of AMASS (smpl_test.cpp)"},
     {"./mien regress approved.mp4 now.mp4", "needs two videos"},

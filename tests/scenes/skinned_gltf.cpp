@@ -160,6 +160,25 @@ SkinnedGltf skinned_gltf(const motion::Skeleton& metric_body, const SkinnedGltfO
   return file;
 }
 
+void add_face(SkinnedGltf& file) {
+  json& mesh = file.json["meshes"][0];
+  json& primitive = mesh["primitives"][0];
+  const json positions = primitive["attributes"]["POSITION"];
+  primitive["targets"] = {{{"POSITION", positions}}, {{"POSITION", positions}}};
+  mesh["extras"]["targetNames"] = {"one", "other"};
+  const int times = add_accessor(file, std::vector<float>{0.0f, 1.0f}, is_float, "SCALAR", 1);
+  const std::size_t node = file.json["nodes"].size() - 1;
+  const auto animate = [&](const char* name, const std::vector<float>& weights) {
+    const int output = add_accessor(file, weights, is_float, "SCALAR", 1);
+    file.json["animations"].push_back(
+        {{"name", name},
+         {"samplers", {{{"input", times}, {"output", output}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}}}}});
+  };
+  animate("Rise", {0.0f, 0.0f, 1.0f, 0.0f});
+  animate("Fall", {1.0f, 0.0f, 0.0f, 0.0f});
+}
+
 std::string SkinnedGltf::text() const {
   nlohmann::json whole = json;
   whole["buffers"] = {{{"byteLength", buffer.size()},

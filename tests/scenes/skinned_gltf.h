@@ -31,6 +31,10 @@ struct SkinnedGltfOptions {
 
 SkinnedGltf skinned_gltf(const motion::Skeleton& body, const SkinnedGltfOptions& options);
 
+/// Gives the figure two morph targets, "one" and "other", which double its size, and two animations
+/// of one second: in "Rise" the weight of "one" goes from 0 to 1, in "Fall" from 1 to 0.
+void add_face(SkinnedGltf& file);
+
 std::vector<std::string> mixamo_names();
 std::vector<std::string> vrm_names();
 

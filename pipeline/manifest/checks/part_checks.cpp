@@ -66,8 +66,13 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
       const std::string own = member_path(person.motion.path, "look");
       Look look = film->look;
       look.camera = {};  // has been checked
-      if (!person.figure) continue;
-      look.figure = *person.figure;
+      if (!person.figure && !person.face) continue;
+      if (person.figure) look.figure = *person.figure;
+      if (person.face) {
+        look.face = *person.face;
+      } else if (scenes::file_of(look.figure) == nullptr) {
+        look.face = {};  // is that of the others
+      }
       append(faults, check_look(look, own, manifest.places, joints, characters));
     }
   }

@@ -35,6 +35,7 @@ class SourceChecker : public FaultList {
   void check_look(const std::string& path, const Look& look) {
     if (!was_given(path)) return;
     check(member_path(path, "scene"), look.scene_file);
+    check(member_path(path, "face.file"), look.face.file);
     if (const fs::path* file = scenes::file_of(look.figure))
       check(member_path(path, "figure"), *file);
   }
@@ -73,6 +74,8 @@ std::vector<Fault> check_sources(const Manifest& manifest, const fs::path& folde
     for (const Person& person : stimulus.people) {
       const fs::path* file = person.figure ? scenes::file_of(*person.figure) : nullptr;
       if (file != nullptr) checker.check(member_path(person.motion.path, "look.figure"), *file);
+      if (person.face)
+        checker.check(member_path(person.motion.path, "look.face.file"), person.face->file);
     }
     for (const NamedMotion& motion : named_motions(stimulus))
       checker.check_file_of(motion.path, motion.key, motion.file);

@@ -10,6 +10,8 @@ std::string scene_of(const Look& look) {
   return scenes::kind_of(look.figure).set;
 }
 
+scenes::Figure shown_figure(const Look& look) { return scenes::with_face(look.figure, look.face); }
+
 scenes::SetPlan staged_set(const Look& look) {
   scenes::SetPlan plan = look.set;
   const auto show = [&](const render::Color& colour) {

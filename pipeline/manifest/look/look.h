@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenes/cameras/camera_settings.h"
+#include "scenes/figures/face.h"
 #include "scenes/figures/figure.h"
 #include "scenes/sets/set_plan.h"
 
@@ -22,6 +23,7 @@ struct Look {
   std::filesystem::path scene_file;  ///< resolved; empty for a built-in set
   std::string background;            ///< "#rrggbb"; empty: the set's own background
   scenes::Figure figure;
+  scenes::Face face;  ///< of a character
   scenes::CameraSettings camera;
 
   scenes::SetPlan set;  ///< the set named scene_of(look), once it has been read by resolve_set
@@ -33,6 +35,9 @@ struct Look {
 /// Returns the name of the look's set or, if the look names none, of the default set of its
 /// figure's kind.
 std::string scene_of(const Look& look);
+
+/// Returns the figure with its face.
+scenes::Figure shown_figure(const Look& look);
 
 /// Returns the set of the shot, with the background that the look states or that a point-light
 /// figure (dots) requires.

@@ -9,6 +9,7 @@
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
+#include "pipeline/manifest/look/face_checks.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "scenes/character/character.h"
 #include "scenes/stage/trail_figure.h"
@@ -72,8 +73,7 @@ void check_character(const scenes::CharacterOptions& character, const std::strin
       motion::max_recording_bytes);
   if (!motion::read_error(character.file, motion::max_recording_bytes).empty()) return;
   try {
-    scenes::read_character(character.file);
-    characters.insert(character.file);
+    characters.emplace(character.file, scenes::read_character(character.file).face);
   } catch (const Error& wrong) {
     list.add(path, wrong.what(), "");
   }
@@ -200,6 +200,7 @@ std::vector<Fault> check_look(const Look& look, const std::string& path, const P
                               const std::vector<std::string>& joints, CheckedFiles& characters) {
   FaultList list(places);
   check_figure(look, member_path(path, "figure"), joints, list, characters);
+  check_face(look, path, list, characters);
   check_camera(look, member_path(path, "camera"), list);
   return list.take();
 }

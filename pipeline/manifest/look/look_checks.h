@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,14 +9,16 @@
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/look/look.h"
+#include "scenes/character/face_control.h"
 
 namespace mien::pipeline {
 
 /// The sets named by the looks of one document, by name and file, so that each is read once.
 using ReadSets = std::map<std::pair<std::string, std::filesystem::path>, scenes::SetPlan>;
 
-/// Character files that are named by the looks of one document and have been checked successfully.
-using CheckedFiles = std::set<std::filesystem::path>;
+/// Character files that are named by the looks of one document and have been checked successfully,
+/// with what moves the face of each.
+using CheckedFiles = std::map<std::filesystem::path, scenes::FaceControls>;
 
 /// Reads the set of a look (scene_of); `path` is the path of the look in the document. Returns the
 /// faults of the set.

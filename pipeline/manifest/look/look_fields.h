@@ -3,12 +3,13 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/manifest/look/face_form.h"
 #include "pipeline/manifest/look/look.h"
 
 namespace mien::pipeline {
 
-// The fields of a manifest's `look:`. All of them affect the picture. A stimulus's figure or camera
-// replaces the manifest's as a whole; a stimulus's scene replaces the manifest's set and
+// The fields of a manifest's `look:`. All of them affect the picture. A stimulus's figure, face or
+// camera replaces the manifest's as a whole; a stimulus's scene replaces the manifest's set and
 // background.
 
 void fields_of(auto&&, MaybeConst<scenes::StickOptions> auto&) {}
@@ -161,6 +162,7 @@ inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
 void fields_of(auto&& field, MaybeConst<Look> auto& look) {
   field.by("scene", look, concerns::picture, SceneForm());
   field.by("figure", look.figure, concerns::picture, FigureForm<scenes::Figure>());
+  field.by("face", look.face, concerns::picture, FaceForm());
   field.whole("camera", look.camera, concerns::picture);
   field("colours", look.colours, concerns::picture, colours_words);
 }

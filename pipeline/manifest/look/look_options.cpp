@@ -1,5 +1,6 @@
 #include "pipeline/manifest/look/look_options.h"
 
+#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ bool is_map(const std::string& text) {
   return text.starts_with('{') || text.find(": ") != std::string::npos;
 }
 
+/// A word without an ending, or a map, is not the name of a file.
+bool is_face_file(const std::string& face) {
+  return !is_map(face) && std::filesystem::path(face).has_extension();
+}
+
 /// Options without their braces get them.
 std::string in_braces(const std::string& text) {
   return is_map(text) && !text.starts_with('{') ? "{" + text + "}" : text;
@@ -41,7 +47,11 @@ std::string yaml_of(const LookOptions& options) {
   const std::string figure =
       is_character(options.figure) ? "{character: '${MIEN_FIGURE}'}" : in_braces(options.figure);
   const std::string given_scene = options.scene.empty() ? "" : "scene: " + scene + "\n";
-  return given_scene + "figure: " + figure + "\ncamera: " + in_braces(options.camera) + "\n";
+  const std::string face =
+      is_face_file(options.face) ? "{file: '${MIEN_FACE}'}" : in_braces(options.face);
+  const std::string given_face = options.face.empty() ? "" : "face: " + face + "\n";
+  return given_scene + "figure: " + figure + "\n" + given_face +
+         "camera: " + in_braces(options.camera) + "\n";
 }
 
 json look_schema() {
@@ -57,6 +67,7 @@ Look look_of(const LookOptions& options, std::vector<Fault>& warnings) {
   const Environment environment = [&](const std::string& name) -> std::optional<std::string> {
     if (name == "MIEN_SCENE") return options.scene;
     if (name == "MIEN_FIGURE") return options.figure;
+    if (name == "MIEN_FACE") return options.face;
     return process_environment()(name);
   };
   const JsonReading reading = read_options(yaml_of(options), look_schema(), environment);

@@ -50,7 +50,8 @@ motion::Vec3 captured_middle(const Stimulus& stimulus, const std::vector<motion:
 
 /// The figure of a person; dots have its colour too.
 scenes::Figure figure_of(const Person& person, const Look& look) {
-  scenes::Figure figure = person.figure ? *person.figure : look.figure;
+  scenes::Figure figure = scenes::with_face(person.figure ? *person.figure : look.figure,
+                                            person.face ? *person.face : look.face);
   if (auto* dots = scenes::dots_in(figure); dots != nullptr && !person.colour.empty())
     dots->colour = person.colour;
   return figure;
@@ -71,7 +72,7 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 
 scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed) {
   return {.set = staged_set(look),
-          .figure = look.figure,
+          .figure = shown_figure(look),
           .camera = look.camera,
           .size = output.whole_size(),
           .window = output.window(),

@@ -13,6 +13,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr std::size_t most_named = 6;
+constexpr std::string_view face_path = "look.face.";  // before the name of a weight
 
 /// An option in words; {} is its value. Words without it are of options that are set or not, or of
 /// one value, which follows the path after "=".
@@ -46,6 +47,11 @@ constexpr OptionWords option_words[] = {
     {"look.scene.background", "the background {}"},
     {"trail.figure.mannequin", "trails of mannequins"},
     {"figure.character", "the character of the file {}"},
+    {"look.face=hidden", "faces hidden behind a plain oval"},
+    {"look.face.file", "faces moved by the weights of the file {}"},
+    {"look.face.take", "weights of the face of the take {}"},
+    {"look.face.start", "weights of the face beginning at {} s of the film"},
+    {"look.face.fps", "weights of the face at {} frames per second"},
     {"mannequin.build", "mannequins of build {} (0 slim, 1 heavy)"},
     {"mannequin.sex", "mannequins of sex {} (0 female, 1 male)"},
     {"point-light.joints", "dots on {}"},
@@ -196,6 +202,8 @@ std::string words_of_option(std::string_view path, const OrderedJson& value) {
                          words.substr(placeholder + 2));
     if (value == true) return std::string(words);
   }
+  if (path.starts_with(face_path))
+    return fmt::format("the face's {} at a weight of {}", path.substr(face_path.size()), text);
   return fmt::format("{}: {}", name_of_option(path), text);
 }
 

@@ -10,6 +10,7 @@
 #include "pipeline/manifest/reading/manifest_yaml.h"
 #include "pipeline/manifest/study_texts.h"
 #include "scenes/character/character.h"
+#include "scenes/character/face_animation.h"
 #include "scenes/figures/figure.h"
 
 namespace mien::pipeline {
@@ -124,14 +125,24 @@ void add_character(std::vector<fs::path>& files, const scenes::Figure& figure) {
   for (const fs::path& part : scenes::files_of_character(*file)) files.push_back(part);
 }
 
+/// The file of a face's weights, with the buffers of a glTF file.
+void add_face(std::vector<fs::path>& files, const scenes::Face& face) {
+  if (face.file.empty()) return;
+  files.push_back(face.file);
+  if (!scenes::is_gltf_file(face.file)) return;
+  for (const fs::path& part : motion_parts(face.file)) files.push_back(part);
+}
+
 /// Motions and characters, with the files that belong to them, each once.
 std::vector<fs::path> uncopied_files(const Manifest& manifest) {
   std::vector<fs::path> files;
   for (const fs::path& file : repertoire_files(manifest)) add_motion_file(files, file);
   for (const Stimulus* film : films_of(manifest)) {
     add_character(files, film->look.figure);
+    add_face(files, film->look.face);
     for (const Person& person : film->people) {
       if (person.figure) add_character(files, *person.figure);
+      if (person.face) add_face(files, *person.face);
       if (person.stated) add_recordings(files, *person.stated);
     }
     for (const Stimulus* motion : motions_in(*film)) add_recordings(files, *motion);

@@ -3,12 +3,14 @@
 #include <bit>
 #include <cstdint>
 #include <system_error>
+#include <type_traits>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "motion/rig/proportions.h"
 #include "motion/skeleton/body.h"
+#include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
 #include "scenes/mannequin/mannequin.h"
 
@@ -28,6 +30,32 @@ const scenes::MannequinOptions* mannequin_in(const scenes::Figure& figure) {
   return std::get_if<scenes::MannequinOptions>(&figure);
 }
 
+/// The face of a character that is shown; neutral for other figures.
+scenes::Face face_in(const scenes::Figure& figure) {
+  const auto face = []<class Options>(const Options& options) -> scenes::Face {
+    if constexpr (std::is_same_v<Options, scenes::CharacterOptions>) return options.face;
+    return {};
+  };
+  const auto* trail = std::get_if<scenes::TrailOptions>(&figure);
+  return trail != nullptr ? std::visit(face, trail->figure) : std::visit(face, figure);
+}
+
+std::string time_of(const fs::path& file) {
+  std::error_code unknown;
+  return fmt::format("{}", fs::last_write_time(file, unknown).time_since_epoch().count());
+}
+
+/// A face is shown as at the beginning of the film (with_still_face).
+std::string key_of(const scenes::Face& face) {
+  if (face.is_hidden) return " hidden";
+  std::string key;
+  for (const auto& [name, weight] : face.weights) key += fmt::format(" {} {}", name, weight);
+  if (!face.file.empty())
+    key += fmt::format(" {} {} {} {} {}", face.file.string(), time_of(face.file), face.take,
+                       face.start_s, face.frames_per_second.value_or(0.0));
+  return key;
+}
+
 /// Rounds lengths to 0.01 mm, below which bodies share a mannequin.
 std::string key_of(const motion::Skeleton& body) {
   std::string key;
@@ -41,9 +69,7 @@ std::string key_of(const motion::Skeleton& body) {
 
 /// Includes the modification time, so that a rewritten file gets another key.
 std::string key_of(const fs::path& file, const motion::Skeleton& body) {
-  std::error_code unknown;
-  const auto written = fs::last_write_time(file, unknown).time_since_epoch().count();
-  return fmt::format("{} {} {:.5f}", file.string(), written, motion::leg_length(body));
+  return fmt::format("{} {} {:.5f}", file.string(), time_of(file), motion::leg_length(body));
 }
 
 std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion::Skeleton& body) {
@@ -52,7 +78,7 @@ std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion
     return fmt::format("mannequin {} {} {} {}", mannequin->build, mannequin->sex,
                        static_cast<int>(role), key_of(body));
   const fs::path* file = scenes::file_of(figure);
-  return file == nullptr ? "" : "character " + key_of(*file, body);
+  return file == nullptr ? "" : "character " + key_of(*file, body) + key_of(face_in(figure));
 }
 
 /// A digest of the key that reveals no path.
@@ -118,7 +144,8 @@ const std::string& StudioFigures::file(const std::string& key, const scenes::Fig
   files_.emplace_front(
       key, options != nullptr
                ? to_glb(scenes::make_mannequin(body, *options, scenes::colours_of(role)), body)
-               : to_glb(*character(*scenes::file_of(figure), body)));
+               : to_glb(scenes::with_still_face(*character(*scenes::file_of(figure), body),
+                                                face_in(figure))));
   if (files_.size() > max_figure_files) files_.pop_back();
   return files_.front().second;
 }

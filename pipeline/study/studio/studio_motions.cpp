@@ -159,8 +159,8 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const st
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   shown_cache_.emplace_front(key, stimulus == nullptr
-                                      ? Shown{manifest.look.figure}
-                                      : Shown{stimulus->look.figure, stimulus->role});
+                                      ? Shown{shown_figure(manifest.look)}
+                                      : Shown{shown_figure(stimulus->look), stimulus->role});
   if (shown_cache_.size() > max_motions) shown_cache_.pop_back();
   return shown_cache_.front().second;
 }

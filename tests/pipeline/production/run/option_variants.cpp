@@ -147,7 +147,20 @@ constexpr char with_shared_steps[] =
 constexpr char with_people[] =
     R"({"stimuli": [{"id": "a", "people": [{"weights": {"normal": 1}, "place": {}}, {"weights": {"sad": 1}, "place": {"x": 1}}]}, {"id": "b", "weights": {"tired": 1}}, {"id": "c", "weights": {"proud": 1}}]})";
 
+constexpr char with_faces[] = R"({"look": {"figure": {"character": "face.gltf"}}})";
+
+constexpr char with_faces_of_people[] =
+    R"({"look": {"figure": {"character": "face.gltf"}}, "stimuli": [{"id": "a", "people": [{"weights": {"normal": 1}, "place": {}}, {"weights": {"sad": 1}, "place": {"x": 1}}]}, {"id": "b", "weights": {"tired": 1}}]})";
+
 const Surroundings surroundings[] = {
+    {"people[].look.face.take", with_faces_of_people, R"({"file": "face.gltf"})"},
+    {"people[].look.face.fps", with_faces_of_people, R"({"file": "frames.csv"})"},
+    {"people[].look.face.start", with_faces_of_people, R"({"file": "rise.csv"})"},
+    {"people[].look.face", with_faces_of_people, "{}"},
+    {"look.face.take", with_faces, R"({"file": "face.gltf"})"},
+    {"look.face.fps", with_faces, R"({"file": "frames.csv"})"},
+    {"look.face.start", with_faces, R"({"file": "rise.csv"})"},
+    {"look.face", with_faces, "{}"},
     {"stimuli[].people[].", with_people, "{}"},
     {"stimuli[].people", with_people, "{}"},
     {"stimuli[].swap", with_people, "{}"},
@@ -735,6 +748,11 @@ const Values chosen_values[] = {
     {"look.scene.background", R"(["#405060", "#605040"])"},
     {"look.scene", R"(["void", "my.set.yaml"])"},
     {"figure.character", R"(["one.gltf", "two.gltf"])"},
+    {"look.face.file", R"(["rise.csv", "fall.csv"])"},
+    {"look.face.take", R"(["Rise", "Fall"])"},
+    {"look.face.start", "[0.1, 0.2]"},
+    {"look.face.fps", "[10, 20]"},
+    {"look.face", R"([{"one": 0.5}, "hidden"])"},
     {"look.figure.mannequin.", "[0.2, 0.6]"},
     {"look.figure.mannequin", R"([{"sex": 0.1}, {"sex": 0.9}])"},
     {"trail.figure.mannequin.", "[0.2, 0.6]"},
@@ -1135,6 +1153,12 @@ scales:
   const std::string figure = skinned_gltf(motion::standard_body(), {}).text();
   std::ofstream(folder / "one.gltf") << figure;
   std::ofstream(folder / "two.gltf") << figure << "\n";
+  SkinnedGltf face = skinned_gltf(motion::standard_body(), {});
+  add_face(face);
+  std::ofstream(folder / "face.gltf") << face.text();
+  std::ofstream(folder / "rise.csv") << "time,one\n0,0\n1,1\n";
+  std::ofstream(folder / "fall.csv") << "time,one\n0,1\n1,0\n";
+  std::ofstream(folder / "frames.csv") << "frame,one\n0,0\n10,1\n";
 }
 
 }  // namespace mien::test

@@ -1,0 +1,138 @@
+#include "scenes/character/character_face.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <utility>
+
+#include "motion/error.h"
+#include "motion/formats/face/face_table.h"
+#include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
+#include "scenes/character/face_animation.h"
+#include "scenes/character/hidden_face.h"
+
+namespace mien::scenes {
+
+namespace {
+
+/// Without regard to case and to how the side is written.
+std::string plain_face_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name) plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (plain.ends_with("_l")) return plain.substr(0, plain.size() - 2) + "left";
+  if (plain.ends_with("_r")) return plain.substr(0, plain.size() - 2) + "right";
+  return plain;
+}
+
+std::string_view after_last_point(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos ? name : name.substr(point + 1);
+}
+
+void add_weight(const FaceControl& control, double weight, std::vector<double>& weights) {
+  if (control.is_binary) weight = weight > 0.5 ? 1.0 : 0.0;
+  for (const auto& [morph, share] : control.morphs)
+    weights[static_cast<std::size_t>(morph)] += weight * share;
+}
+
+std::vector<double> no_weights(const Character& character) {
+  return std::vector<double>(static_cast<std::size_t>(character.face.morph_count), 0.0);
+}
+
+}  // namespace
+
+std::vector<std::string> face_names(const FaceControls& face) {
+  std::vector<std::string> names;
+  for (const FaceControl& control : face.controls)
+    if (std::ranges::find(names, control.name) == names.end()) names.push_back(control.name);
+  return names;
+}
+
+const FaceControl* control_named(const FaceControls& face, std::string_view name) {
+  const auto exact = std::ranges::find(face.controls, name, &FaceControl::name);
+  if (exact != face.controls.end()) return &*exact;
+  const std::string plain = plain_face_name(name);
+  for (const bool is_whole : {true, false}) {
+    for (const FaceControl& control : face.controls) {
+      const std::string_view own =
+          is_whole ? std::string_view(control.name) : after_last_point(control.name);
+      if (plain_face_name(own) == plain) return &control;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<double> morph_weights(const Character& character, const FaceWeights& weights) {
+  std::vector<double> sums = no_weights(character);
+  for (const auto& [name, weight] : weights) {
+    const FaceControl* control = control_named(character.face, name);
+    if (control == nullptr)
+      throw Error({character.name}, "its face has no " + motion::in_quotes(name),
+                  motion::did_you_mean(name, face_names(character.face)));
+    add_weight(*control, weight, sums);
+  }
+  return sums;
+}
+
+motion::FaceTrack read_face_track(const Face& face) {
+  if (is_gltf_file(face.file)) return read_face_animation(face.file, face.take);
+  return motion::read_face_table(face.file, face.frames_per_second);
+}
+
+std::vector<std::string> unknown_names(const motion::FaceTrack& track, const FaceControls& face) {
+  std::vector<std::string> unknown;
+  for (const motion::FaceCurve& curve : track)
+    if (control_named(face, curve.name) == nullptr) unknown.push_back(curve.name);
+  return unknown;
+}
+
+FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
+                       double frames_per_second) {
+  if (face.file.empty()) {
+    if (!face.weights.empty()) frames_.push_back(morph_weights(character, face.weights));
+    return;
+  }
+  const motion::FaceTrack track = read_face_track(face);
+  const std::vector<std::string> unknown = unknown_names(track, character.face);
+  if (unknown.size() == track.size())
+    throw Error({face.file.string()},
+                "none of its names is one of the face of " + character.name + ", which has " +
+                    motion::listed(face_names(character.face)),
+                "rename its columns");
+  if (!unknown.empty())
+    warnings_.push_back("The face does not have these names of " + face.file.filename().string() +
+                        ": " + motion::listed(unknown) + ".");
+  for (int frame = 0; frame < frames; ++frame) {
+    std::vector<double> weights = no_weights(character);
+    for (const motion::FaceCurve& curve : track) {
+      const FaceControl* control = control_named(character.face, curve.name);
+      if (control == nullptr) continue;
+      add_weight(*control, weight_at(curve, frame / frames_per_second - face.start_s), weights);
+    }
+    frames_.push_back(std::move(weights));
+  }
+}
+
+Character with_still_face(Character character, const Face& face) {
+  if (face.is_hidden) return with_hidden_face(std::move(character));
+  const FaceMotion motion(character, face, 1, 1.0);
+  const std::span<const double> weights = motion.at(0);
+  for (SkinnedMesh& mesh : character.meshes) {
+    if (is_morphed(mesh, weights)) {
+      MeshShape shape = morphed_shape(mesh, weights);
+      mesh.positions = std::move(shape.positions);
+      mesh.normals = std::move(shape.normals);
+    }
+    mesh.morphs.clear();
+  }
+  character.face = {};
+  return character;
+}
+
+std::span<const double> FaceMotion::at(int frame) const {
+  if (frames_.empty()) return {};
+  return frames_[std::min(static_cast<std::size_t>(frame), frames_.size() - 1)];
+}
+
+}  // namespace mien::scenes

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/formats/face/face_track.h"
+#include "scenes/character/character.h"
+#include "scenes/figures/face.h"
+
+namespace mien::scenes {
+
+/// The names of a face's controls, each once, in their order.
+std::vector<std::string> face_names(const FaceControls& face);
+
+/// The control of a name: the first that has it exactly, or else the first that differs only in
+/// upper and lower case or in how the side is written ("eyeBlink_L" for "EyeBlinkLeft"); what
+/// stands before the last "." of a control's name need not be given ("head.eyeBlink_L"). None if
+/// there is none.
+const FaceControl* control_named(const FaceControls& face, std::string_view name);
+
+/// The weights of all morphs (MorphTarget::morph) for weights by name; those of several names that
+/// change the same morph are added. Throws mien::Error for a name that the face does not have.
+std::vector<double> morph_weights(const Character& character, const FaceWeights& weights);
+
+/// The weights that a file states over time: a glTF file (face_animation.h) or a table
+/// (face_table.h). Throws mien::Error.
+motion::FaceTrack read_face_track(const Face& face);
+
+/// The names of a track that the face does not have.
+std::vector<std::string> unknown_names(const motion::FaceTrack& track, const FaceControls& face);
+
+/// The weights of all morphs in each frame of a film.
+class FaceMotion {
+ public:
+  /// Of a character whose face is as its file has it.
+  FaceMotion() = default;
+  /// Throws mien::Error for names that the character does not have, if none of a file's names is
+  /// one of the character's, and as `read_face_track`.
+  FaceMotion(const Character& character, const Face& face, int frames, double frames_per_second);
+
+  /// Empty: none.
+  std::span<const double> at(int frame) const;
+
+  /// That names of the file are not among those of the character.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  std::vector<std::vector<double>> frames_;  ///< one: the same in all frames
+  std::vector<std::string> warnings_;
+};
+
+/// The character with this face as it is when a film begins, as part of its meshes, which are then
+/// without morph targets. Throws mien::Error as FaceMotion and with_hidden_face.
+Character with_still_face(Character character, const Face& face);
+
+}  // namespace mien::scenes

@@ -1,0 +1,159 @@
+// `face:` in manifests: how it is read and written, its faults, and the keys of films.
+
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "motion/skeleton/body.h"
+#include "pipeline/base/documents/fault.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/base/reading/field_writer.h"
+#include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/temporary_folder.h"
+#include "scenes/skinned_gltf.h"
+
+namespace mien::pipeline {
+namespace {
+
+using mien::test::SkinnedGltf;
+using mien::test::TemporaryFolder;
+
+/// A folder with a character that has a face, one that has none, and tables of weights.
+class FaceManifests : public testing::Test {
+ protected:
+  FaceManifests() {
+    SkinnedGltf figure = mien::test::skinned_gltf(motion::standard_body(), {});
+    std::ofstream(folder_.path() / "stone.gltf") << figure.text();
+    mien::test::add_face(figure);
+    std::ofstream(folder_.path() / "face.gltf") << figure.text();
+    write("rise.csv", "time,one\n0,0\n1,1\n");
+    write("high.csv", "time,one\n0,0\n1,1.5\n");
+    write("tongue.csv", "time,tongueOut\n0,0\n");
+    write("frames.csv", "frame,one\n0,0\n");
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_.path() / name) << text;
+  }
+
+  ManifestReading read(const std::string& look, const std::string& stimulus = "") {
+    const std::string text = "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {" +
+                             look + "}\nstimuli: [{id: a, weights: {normal: 1}" + stimulus + "}]\n";
+    return parse_manifest(text, folder_.path() / "m.yaml",
+                          [](const std::string&) { return std::nullopt; });
+  }
+
+  std::string faults(const std::string& look, const std::string& stimulus = "") {
+    std::string told;
+    for (const Fault& fault : read(look, stimulus).faults) told += to_string(fault) + "\n";
+    const std::string folder = folder_.path().string() + "/";
+    for (std::size_t at; (at = told.find(folder)) != std::string::npos;)
+      told.erase(at, folder.size());
+    return told;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(FaceManifests, AreReadAndWritten) {
+  const auto face_of = [&](const std::string& face) {
+    const ManifestReading reading = read("figure: {character: face.gltf}, face: " + face);
+    EXPECT_TRUE(reading.faults.empty()) << face << ": " << to_string(reading.faults.front());
+    return reading.manifest.stimuli.front().look.face;
+  };
+  EXPECT_TRUE(face_of("neutral").is_neutral());
+  EXPECT_TRUE(face_of("hidden").is_hidden);
+  EXPECT_EQ(face_of("{one: 0.25, other: 1}").weights,
+            (scenes::FaceWeights{{"one", 0.25}, {"other", 1.0}}));
+  const scenes::Face table = face_of("{file: frames.csv, fps: 25, start: -0.5}");
+  EXPECT_EQ(table.file, folder_.path() / "frames.csv");
+  EXPECT_EQ(table.frames_per_second, 25.0);
+  EXPECT_EQ(table.start_s, -0.5);
+  EXPECT_EQ(face_of("{file: face.gltf, take: Fall}").take, "Fall");
+  const WritingOptions how{.folder = folder_.path()};
+  EXPECT_EQ(FaceForm::write(table, how).dump(), R"({"file":"frames.csv","start":-0.5,"fps":25.0})");
+  EXPECT_EQ(FaceForm::write(face_of("hidden"), how).dump(), R"("hidden")");
+  EXPECT_TRUE(FaceForm::write(face_of("neutral"), how).is_null());
+}
+
+TEST_F(FaceManifests, OfAStimulusReplaceThatOfTheManifest) {
+  const ManifestReading reading =
+      read("figure: {character: face.gltf}, face: {one: 0.5}", ", look: {face: {other: 1}}");
+  EXPECT_EQ(reading.manifest.stimuli.front().look.face.weights,
+            (scenes::FaceWeights{{"other", 1.0}}));
+  EXPECT_TRUE(read("figure: {character: face.gltf}, face: {one: 0.5}", ", look: {face: neutral}")
+                  .manifest.stimuli.front()
+                  .look.face.is_neutral());
+}
+
+TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
+  const std::string figure = "figure: {character: face.gltf}, ";
+  EXPECT_EQ(
+      faults(figure + "face: {on: 0.5}"),
+      "m.yaml:4:46: look.face.on: the character's face has no \"on\"; did you mean \"one\"?\n");
+  EXPECT_EQ(faults("face: {one: 0.5}"),
+            "m.yaml:4:14: look.face: the figure \"stick\" has no face; use the figure of a "
+            "character's file, or face: neutral\n");
+  EXPECT_EQ(faults(figure + "face: hidden", ", look: {figure: mannequin}"),
+            "m.yaml:5:57: stimuli[0].look.figure: the figure \"mannequin\" has no face; use the "
+            "figure of a character's file, or face: neutral\n");
+  EXPECT_EQ(faults("figure: {character: stone.gltf}, face: {one: 0.5}"),
+            "m.yaml:4:46: look.face: the character has no morph targets, by which its face could "
+            "move; export it with its morph targets, or omit face\n");
+  EXPECT_EQ(faults("figure: {character: stone.gltf}, face: hidden"), "");
+}
+
+TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
+  const std::string figure = "figure: {character: face.gltf}, ";
+  EXPECT_EQ(faults(figure + "face: {file: none.csv}"),
+            "m.yaml:4:52: look.face.file: there is no file none.csv; give a table of weights "
+            "(.csv, .tsv), or a glTF file; paths are taken from the manifest's folder\n");
+  EXPECT_EQ(faults(figure + "face: {file: high.csv}"),
+            "m.yaml:4:52: look.face.file: high.csv:3:3: one: the weight 1.5 is not from 0 to 1; "
+            "divide percentages by 100\n");
+  EXPECT_EQ(faults(figure + "face: {file: tongue.csv}"),
+            "m.yaml:4:52: look.face.file: none of its names is one of the character's face; rename "
+            "its columns to one, other\n");
+  EXPECT_EQ(faults(figure + "face: {file: frames.csv}"),
+            "m.yaml:4:52: look.face.file: frames.csv:1:1: the table counts frames without stating "
+            "their rate; state the frames per second (fps)\n");
+  EXPECT_EQ(faults(figure + "face: {file: rise.csv, take: Rise}"),
+            "m.yaml:4:68: look.face.take: a table of weights has no takes; omit take\n");
+  EXPECT_EQ(faults(figure + "face: {file: face.gltf, fps: 30}"),
+            "m.yaml:4:68: look.face.fps: the times of a glTF file are in seconds; omit fps\n");
+  EXPECT_EQ(
+      faults(figure + "face: {file: face.gltf, take: Rize}"),
+      "m.yaml:4:52: look.face.file: face.gltf: no animation of a face is called \"Rize\"; did "
+      "you mean \"Rise\"?\n");
+}
+
+TEST_F(FaceManifests, HaveWeightsFrom0To1) {
+  const std::string figure = "figure: {character: face.gltf}, ";
+  const std::string high = faults(figure + "face: {one: 1.5}");
+  EXPECT_TRUE(high.starts_with("m.yaml:4:51: look.face.one: ")) << high;
+  const std::string word = faults(figure + "face: smiling");
+  EXPECT_TRUE(word.starts_with("m.yaml:4:46: look.face: ")) << word;
+}
+
+TEST_F(FaceManifests, AreInTheKeysOfFilms) {
+  const auto key = [&](const std::string& face) {
+    const ManifestReading reading =
+        read("figure: {character: face.gltf}" + (face.empty() ? "" : ", face: " + face));
+    KeyBuilder builder;
+    FileKeys files;
+    add_film(builder, reading.manifest.stimuli.front(), files);
+    return builder.key();
+  };
+  EXPECT_EQ(key(""), key("neutral"));
+  EXPECT_NE(key("hidden"), key(""));
+  EXPECT_NE(key("{one: 0.5}"), key("{one: 0.6}"));
+  EXPECT_NE(key("{file: rise.csv}"), key("{file: rise.csv, start: 1}"));
+  const Hash before = key("{file: rise.csv}");
+  write("rise.csv", "time,one\n0,0\n2,1\n");
+  EXPECT_NE(key("{file: rise.csv}"), before);
+}
+
+}  // namespace
+}  // namespace mien::pipeline
