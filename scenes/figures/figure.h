@@ -76,10 +76,11 @@ struct PointLightOptions {
       .not_in_overlays = "the point lights of several motions cannot be told apart"};
 
   /// "standard": head, shoulders, elbows, wrists, hips, knees and ankles, the 13 of Cutting 1978
-  /// (every joint of a skeleton other than the canonical body); "all": every joint; empty: the
-  /// joints listed in `joints`.
+  /// (every joint of a skeleton other than the canonical body); "hands": these and the ten
+  /// fingertips; "all": every joint of the body; empty: the joints listed in `joints`.
   std::string joint_set = "standard";
-  std::vector<std::string> joints;  ///< names of the skeleton's joints, and "HeadTop"
+  /// Names of the skeleton's joints, "HeadTop", and those of fingers and their tips (dot_joints.h).
+  std::vector<std::string> joints;
 
   double size_px = 8.0;          ///< diameter in pixels, independent of distance
   std::optional<double> size_m;  ///< diameter in metres instead: nearer dots are larger

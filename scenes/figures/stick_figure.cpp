@@ -1,7 +1,10 @@
 #include "scenes/figures/stick_figure.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "motion/skeleton/hand.h"
 
 namespace mien::scenes {
 
@@ -90,9 +93,54 @@ void add_visor(render::Scene& scene, const motion::Vec3& eyes, const motion::Qua
               shade, part);
 }
 
+/// Radii at a stature of 1.75 m, from the knuckle to the tip: of each joint, and of the tip.
+using FingerThickness = std::array<double, motion::joints_per_finger + 1>;
+
+constexpr FingerThickness thickness_of_thumb = {0.0125, 0.0110, 0.0098, 0.0080};
+constexpr FingerThickness thickness_of_finger = {0.0108, 0.0093, 0.0084, 0.0072};
+constexpr double palm_bone_radius = 0.0140;
+
+/// The bones of the palm and of five fingers, from the wrist.
+void add_hand(render::Scene& scene, const motion::Skeleton& handed,
+              const motion::JointTransforms& world, bool left, int shade, double scale, int part) {
+  const motion::Vec3& wrist = world.positions[left ? motion::LeftWrist : motion::RightWrist];
+  for (int f = 0; f < motion::fingers_per_hand; ++f) {
+    const auto finger = motion::Finger(f);
+    const bool is_thumb = finger == motion::Finger::thumb;
+    const FingerThickness& radii = is_thumb ? thickness_of_thumb : thickness_of_finger;
+    motion::Vec3 from = wrist;
+    double radius = palm_bone_radius;
+    const auto add_bone_to = [&](const motion::Vec3& to, double thickness) {
+      add_capsule(scene, from, to, radius * scale, thickness * scale, shade, part);
+      from = to;
+      radius = thickness;
+    };
+    for (int segment = 0; segment < motion::joints_per_finger; ++segment) {
+      const auto joint = static_cast<std::size_t>(motion::body_joint_count +
+                                                  motion::finger_joint(left, finger, segment));
+      add_bone_to(world.positions[joint], radii[static_cast<std::size_t>(segment)]);
+      if (segment + 1 < motion::joints_per_finger) continue;
+      // The bone ends where its surface does.
+      const motion::Vec3 tip = world.rotations[joint] * handed.joints[joint].tip.value();
+      add_bone_to(from + tip - radii.back() * scale * tip.normalized(), radii.back());
+    }
+  }
+}
+
+void add_hands(render::Scene& scene, const motion::Skeleton& body, const motion::Pose& pose,
+               const Shades& shades, double scale, int first_part) {
+  const motion::Skeleton handed = motion::with_fingers(body);
+  const motion::JointTransforms world =
+      motion::world_transforms(handed, motion::with_fingers(pose));
+  for (const BodyJoint wrist : {motion::LeftWrist, motion::RightWrist}) {
+    add_hand(scene, handed, world, motion::is_left(wrist), shades.of(wrist), scale,
+             first_part + wrist);
+  }
+}
+
 void add_body(render::Scene& scene, const motion::Skeleton& body,
               const motion::JointTransforms& world, const Shades& shades, double scale,
-              int first_part) {
+              int first_part, bool has_fingers) {
   for (size_t j = 0; j < motion::body_joint_count; ++j) {
     const auto joint = BodyJoint(j);
     const Thickness own = thickness_of(joint);
@@ -115,6 +163,7 @@ void add_body(render::Scene& scene, const motion::Skeleton& body,
     }
     const auto& tip = body.joints[j].tip;
     if (!tip || tip->norm() < 1e-6) continue;
+    if (has_fingers && (joint == motion::LeftWrist || joint == motion::RightWrist)) continue;
     const motion::Vec3 end = world.positions[j] + world.rotations[j] * *tip;
     if (joint == motion::Head) {
       const double radius = std::min(head_radius * scale, 0.6 * tip->norm());
@@ -156,7 +205,9 @@ void add_stick_figure(render::Scene& scene, const motion::Skeleton& skeleton,
   const double scale = height_m / drawn_stature;
   const int first_part = add_parts(scene, skeleton);
   if (motion::is_body(skeleton)) {
-    add_body(scene, skeleton, world, shades, scale, first_part);
+    const bool has_fingers = !pose.fingers.empty();
+    add_body(scene, skeleton, world, shades, scale, first_part, has_fingers);
+    if (has_fingers) add_hands(scene, skeleton, pose, shades, scale, first_part);
   } else {
     add_any_skeleton(scene, skeleton, world, shades.middle, scale, first_part);
   }

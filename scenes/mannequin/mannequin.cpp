@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "motion/skeleton/hand.h"
+#include "scenes/mannequin/hand_surface.h"
+#include "scenes/mannequin/mannequin_hand.h"
 #include "scenes/mannequin/mannequin_landmarks.h"
 #include "scenes/mannequin/mannequin_weights.h"
 #include "scenes/skinning/skinned_glb.h"
@@ -83,9 +86,53 @@ Grid grid_for(const Flesh& flesh, const motion::JointTransforms& bind, double sc
   return grid;
 }
 
-/// The joint that most moves the triangle's first vertex.
+/// The joint that most moves the triangle's first vertex; fingers are part of their wrist.
 int part_of(const SkinnedMesh& mesh, const std::array<int, 3>& triangle) {
-  return mesh.influences[static_cast<size_t>(triangle[0])].front().joint;
+  return body_joint_at(mesh.influences[static_cast<size_t>(triangle[0])].front().joint);
+}
+
+void append(Surface& surface, const Surface& more) {
+  const auto first = static_cast<int>(surface.positions.size());
+  surface.positions.insert(surface.positions.end(), more.positions.begin(), more.positions.end());
+  surface.normals.insert(surface.normals.end(), more.normals.begin(), more.normals.end());
+  for (const auto& [a, b, c] : more.triangles)
+    surface.triangles.push_back({a + first, b + first, c + first});
+}
+
+constexpr HandCells draft_hand_cells{.along = 0.0068, .across = 0.0036, .through = 0.0042};
+
+/// The body, and its hands if they have fingers.
+Surface surface_of(const Flesh& flesh, const motion::Skeleton& body,
+                   const motion::JointTransforms& bind, MeshDetail detail) {
+  const bool is_draft = detail == MeshDetail::draft;
+  const Grid grid =
+      grid_for(flesh, bind, motion::relative_stature(body), is_draft ? draft_spacing : Spacing());
+  if (!includes_fingers(bind)) {
+    return largest_component(
+        surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); }, grid));
+  }
+  const double scale = hand_scale(body);
+  Surface surface = largest_component(surface_nets(without_hands(flesh, bind, scale), grid));
+  for (const bool left : {true, false}) {
+    append(surface, largest_component(hand_surface(flesh, bind, left, scale,
+                                                   is_draft ? draft_hand_cells : HandCells())));
+  }
+  return surface;
+}
+
+/// The joints of a mannequin whose bind pose this is, in a pose of its body.
+motion::JointTransforms joints_in(const motion::JointTransforms& bind, const motion::Skeleton& body,
+                                  const motion::Pose& pose) {
+  if (!includes_fingers(bind)) return motion::world_transforms(body, pose);
+  return motion::world_transforms(motion::with_fingers(body), motion::with_fingers(pose));
+}
+
+/// The bind pose of a mannequin, joint by joint.
+motion::JointTransforms bind_of(const motion::Skeleton& body, MannequinHands hands) {
+  motion::Pose pose = modelling_pose(body);
+  if (hands == MannequinHands::one_piece) return motion::world_transforms(body, pose);
+  pose.fingers = modelling_fingers();
+  return motion::world_transforms(motion::with_fingers(body), motion::with_fingers(pose));
 }
 
 /// Vertices that triangles connect.
@@ -139,23 +186,21 @@ std::string to_glb(const Mannequin& mannequin, const motion::Skeleton& body) {
                        .meshes = meshes,
                        .materials = materials,
                        .textures = {&mannequin.paint}};
-  for (const motion::Joint& joint : body.joints) {
-    figure.body_joints.push_back(static_cast<int>(figure.joints.size()));
+  const motion::Skeleton joints =
+      includes_fingers(mannequin.bind) ? motion::with_fingers(body) : body;
+  for (const motion::Joint& joint : joints.joints) {
+    figure.body_joints.push_back(body_joint_at(static_cast<int>(figure.joints.size())));
     figure.joints.push_back(joint.name);
   }
   return skinned_glb(figure);
 }
 
 Mannequin make_mannequin(const motion::Skeleton& body, const MannequinOptions& options,
-                         const FigureColours& colours, MeshDetail detail) {
-  const double scale = motion::relative_stature(body);
+                         const FigureColours& colours, MeshDetail detail, MannequinHands hands) {
   Mannequin mannequin;
-  mannequin.bind = motion::world_transforms(body, modelling_pose(body));
+  mannequin.bind = bind_of(body, hands);
   const Flesh flesh = flesh_of(body, mannequin.bind, options);
-  Surface surface = largest_component(
-      surface_nets([&](const Vec3& point) { return signed_distance(flesh, point); },
-                   grid_for(flesh, mannequin.bind, scale,
-                            detail == MeshDetail::draft ? draft_spacing : Spacing())));
+  Surface surface = surface_of(flesh, body, mannequin.bind, detail);
   SkinnedMesh& mesh = mannequin.mesh;
   mesh.positions = std::move(surface.positions);
   mesh.normals = std::move(surface.normals);
@@ -183,7 +228,7 @@ render::Material mannequin_skin(int texture) {
 render::Mesh posed(const Mannequin& mannequin, const motion::Skeleton& body,
                    const motion::Pose& pose) {
   return dual_quaternion_skinned(
-      mannequin.mesh, joint_motions(mannequin.bind, motion::world_transforms(body, pose)));
+      mannequin.mesh, joint_motions(mannequin.bind, joints_in(mannequin.bind, body, pose)));
 }
 
 void add_mannequin(render::Scene& scene, const Mannequin& mannequin, const motion::Skeleton& body,
@@ -249,7 +294,7 @@ std::array<float, 2> paint_uv(const motion::Skeleton& body, const motion::JointT
                               const Vec3& point, const std::vector<Influence>& influences) {
   float side = 0.0f;
   for (const Influence& influence : influences) {
-    const auto joint = motion::BodyJoint(influence.joint);
+    const motion::BodyJoint joint = body_joint_at(influence.joint);
     // Collars and their flesh are the trunk's.
     if (joint == motion::LeftClavicle || joint == motion::RightClavicle) continue;
     if (motion::is_left(joint)) side += influence.weight;

@@ -5,6 +5,7 @@
 
 #include "motion/math/rotation.h"
 #include "motion/skeleton/sole.h"
+#include "scenes/mannequin/mannequin_hand.h"
 #include "scenes/mannequin/mannequin_landmarks.h"
 
 namespace mien::scenes {
@@ -154,6 +155,14 @@ void model_hand(const FleshBuilder& s, BodyJoint wrist, double side) {
          0.0135 * h, 0.0115 * h, 0.010);
 }
 
+void model_fingers(const FleshBuilder& s, double side) {
+  const double thickness = hand_scale(s.body) * mixed(0.94, 1.02, s.male);
+  for (SdfPrimitive& part :
+       hand_flesh(s.pose, fingertips_of(s.body, s.pose), side > 0.0, thickness)) {
+    s.part->push_back(std::move(part));
+  }
+}
+
 void model_arm(const FleshBuilder& s, BodyJoint shoulder, double side) {
   const auto elbow = BodyJoint(shoulder + 1);
   const auto wrist = BodyJoint(shoulder + 2);
@@ -173,7 +182,11 @@ void model_arm(const FleshBuilder& s, BodyJoint shoulder, double side) {
   s.cone(place(elbow, {0, 0, 0}), place(wrist, {0.006, 0, 0}), 0.036 * g, 0.0245 * g, 0.03);
   bulge(elbow, {0.24 * lower, 0.002, 0.004}, {0.085, 0.042, 0.044});
   bulge(wrist, {-0.02, 0, 0}, {0.050, 0.022, 0.029});
-  model_hand(s, wrist, side);
+  if (includes_fingers(s.pose)) {
+    model_fingers(s, side);
+  } else {
+    model_hand(s, wrist, side);
+  }
 }
 
 /// A shoe with a flat sole.
@@ -245,7 +258,11 @@ LimbDistances limb_distances(const Flesh& flesh, const Vec3& point) {
 }
 
 double signed_distance(const Flesh& flesh, const Vec3& point) {
-  const auto [trunk, left_arm, right_arm, left_leg, right_leg] = limb_distances(flesh, point);
+  return united(flesh, limb_distances(flesh, point));
+}
+
+double united(const Flesh& flesh, const LimbDistances& distances) {
+  const auto [trunk, left_arm, right_arm, left_leg, right_leg] = distances;
   const double scale = flesh.trunk.empty() ? 1.0 : flesh.trunk.front().blend / 0.04;
   const double legs = smooth_minimum(left_leg, right_leg, 0.01 * scale);
   const double with_legs = smooth_minimum(trunk, legs, limb_blend * scale);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/skeleton/body.h"
+#include "scenes/mannequin/mannequin_hand.h"
 #include "scenes/mannequin/mannequin_landmarks.h"
 
 namespace mien::scenes {
@@ -32,7 +33,7 @@ constexpr std::array<Hinge, 4> leg_hinges = {{{motion::LeftHip, 0.085, 0.02},
                                               {motion::LeftAnkle, 0.035},
                                               {motion::LeftToe, 0.028, -0.01}}};
 
-using Weights = std::array<double, motion::body_joint_count>;
+using Weights = std::array<double, motion::body_joint_count + motion::finger_joint_count>;
 
 struct Weigher {
   const motion::Skeleton& body;
@@ -131,6 +132,23 @@ void weight_to_clavicle(const Weigher& weigher, BodyJoint clavicle, Weights& wei
   }
 }
 
+/// The fingers take over from the wrist.
+void share_along_fingers(const Weigher& weigher, Weights& weights) {
+  const double scale = hand_scale(weigher.body);
+  const std::vector<Vec3> fingertips = fingertips_of(weigher.body, weigher.pose);
+  for (const BodyJoint wrist : {motion::LeftWrist, motion::RightWrist}) {
+    const double held = weights[wrist];
+    if (held == 0.0) continue;
+    const bool left = motion::is_left(wrist);
+    const auto shares = finger_shares(weigher.pose, fingertips, left, scale, weigher.point);
+    const int first = with_body(motion::finger_joint(left, motion::Finger::thumb, 0));
+    for (std::size_t j = 0; j < shares.size(); ++j) {
+      weights[static_cast<std::size_t>(first) + j] = held * shares[j];
+      weights[wrist] -= held * shares[j];
+    }
+  }
+}
+
 /// How much a point belongs to a limb rather than to the trunk; and to neither of two limbs that
 /// are equally near.
 double share_of_limb(double trunk, double limb, double other_limb, double scale) {
@@ -175,10 +193,11 @@ std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
     share_along(weigher, motion::LeftClavicle, arm_hinges, 0, to_left_arm, weights);
     share_along(weigher, motion::RightClavicle, arm_hinges, arm_shift, to_right_arm, weights);
   }
+  if (includes_fingers(pose)) share_along_fingers(weigher, weights);
   std::vector<Influence> influences;
-  for (int j = 0; j < motion::body_joint_count; ++j) {
-    const double weight = weights[static_cast<size_t>(j)];
-    if (weight > 0.0) influences.push_back({j, static_cast<float>(weight)});
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    if (weights[j] > 0.0)
+      influences.push_back({static_cast<int>(j), static_cast<float>(weights[j])});
   }
   normalize(influences);
   return influences;

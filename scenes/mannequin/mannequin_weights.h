@@ -14,7 +14,8 @@ namespace mien::scenes {
 /// A point belongs to the nearest limb, blended with the trunk where both are about as near; along
 /// a limb the weights pass from joint to joint over a zone about as long as the limb is thick.
 /// Points where two legs or arms are equally near belong to the trunk, so that limbs that happen to
-/// be close do not influence each other.
+/// be close do not influence each other. In a pose that includes fingers (mannequin_hand.h), these
+/// have their own joints (motion::with_fingers).
 std::vector<Influence> mannequin_weights(const motion::Skeleton& body,
                                          const motion::JointTransforms& pose, const Flesh& flesh,
                                          const motion::Vec3& point);

@@ -10,6 +10,7 @@
 #include "scenes/character/character.h"
 #include "scenes/character/character_face.h"
 #include "scenes/character/hidden_face.h"
+#include "scenes/figures/shown_hands.h"
 #include "scenes/figures/stick_figure.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/point_light/dot_display.h"
@@ -43,11 +44,16 @@ Character shown(Character character, const Face& face) {
 class LazyMannequin {
  public:
   LazyMannequin(motion::Skeleton body, const MannequinOptions& options,
-                const FigureColours& colours, MeshDetail detail)
-      : body_(std::move(body)), options_(options), colours_(colours), detail_(detail) {}
+                const FigureColours& colours, MeshDetail detail, MannequinHands hands)
+      : body_(std::move(body)),
+        options_(options),
+        colours_(colours),
+        detail_(detail),
+        hands_(hands) {}
 
   const Mannequin& get() const {
-    std::call_once(once_, [this] { made_ = make_mannequin(body_, options_, colours_, detail_); });
+    std::call_once(once_,
+                   [this] { made_ = make_mannequin(body_, options_, colours_, detail_, hands_); });
     return *made_;
   }
 
@@ -56,6 +62,7 @@ class LazyMannequin {
   MannequinOptions options_;
   FigureColours colours_;
   MeshDetail detail_;
+  MannequinHands hands_;
   mutable std::once_flag once_;
   mutable std::optional<Mannequin> made_;
 };
@@ -75,8 +82,9 @@ struct ActorBuilder {
   void operator()(const MannequinOptions& options) const {
     require_body(actor.clip, "a mannequin");
     // Shared by the copies of the actor.
-    const auto mannequin =
-        std::make_shared<const LazyMannequin>(actor.clip.body, options, actor.colours, detail);
+    const auto mannequin = std::make_shared<const LazyMannequin>(
+        actor.clip.body, options, actor.colours, detail,
+        shows_fingers(actor.clip) ? MannequinHands::fingers : MannequinHands::one_piece);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_mannequin(scene, mannequin->get(), self.clip.body,

@@ -10,6 +10,7 @@
 #include "motion/skeleton/clip_markers.h"
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/figure_place.h"
+#include "scenes/point_light/dot_joints.h"
 #include "scenes/point_light/marker_dots.h"
 #include "scenes/stage/trail_figure.h"
 
@@ -220,9 +221,13 @@ Figure drawable(const Figure& figure, const std::vector<Performance>& performanc
 Actor actor_of(const Performance& one, const Look& look) {
   const Figure& figure = one.figure ? *one.figure : look.figure;
   const FigureColours colours = one.colours ? *one.colours : colours_of(one.role);
-  Actor actor = make_actor(one.clip, figure, colours, look.detail);
+  Actor actor = make_actor(with_shown_hands(one.clip, look.hands), figure, colours, look.detail);
   actor.name = one.name;
   actor.opacity = one.opacity;
+  const PointLightOptions* dots = dots_in(figure);
+  const bool shows_hands = dots == nullptr || has_dots_on_fingers(*dots);
+  if (shows_hands && gets_relaxed_hands(one.clip, look.hands))
+    actor.warnings.emplace_back("The motion has no fingers; relaxed hands are drawn.");
   return actor;
 }
 

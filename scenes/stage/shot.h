@@ -13,6 +13,7 @@
 #include "scenes/cameras/camera_rig.h"
 #include "scenes/figures/figure.h"
 #include "scenes/figures/figure_colour.h"
+#include "scenes/figures/shown_hands.h"
 #include "scenes/sets/set_plan.h"
 #include "scenes/stage/actor.h"
 #include "scenes/stage/layout.h"
@@ -31,6 +32,7 @@ motion::Clip on_the_spot(const motion::Clip& clip, const motion::Vec3& step);
 struct Look {
   SetPlan set;
   Figure figure;
+  Hands hands = Hands::automatic;
   CameraSettings camera;
   Role role = Role::neutral;
   std::array<int, 2> size{960, 540};     ///< size of the picture that the camera frames, pixels
@@ -85,8 +87,9 @@ struct Shot {
 };
 
 /// Stages a clip that does not loop (`repeated` converts a loop). A clip that begins farther than
-/// 100 m from the origin is moved to the origin, where single precision suffices. Throws Error when
-/// a figure or camera cannot be made.
+/// 100 m from the origin is moved to the origin, where single precision suffices. Actors whose
+/// relaxed hands are not from their motion (shown_hands.h) have a warning. Throws Error when a
+/// figure or camera cannot be made.
 Shot stage(const motion::Clip& clip, const Look& look);
 
 /// Stages several clips together, by `layout` and with their roles. Superimposed clips begin at the

@@ -1,0 +1,25 @@
+#include "scenes/figures/shown_hands.h"
+
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
+
+namespace mien::scenes {
+
+bool shows_fingers(const motion::Clip& clip) {
+  return !clip.poses.empty() && !clip.poses.front().fingers.empty();
+}
+
+bool gets_relaxed_hands(const motion::Clip& clip, Hands hands) {
+  return hands == Hands::drawn && !shows_fingers(clip) && motion::is_body(clip.body);
+}
+
+motion::Clip with_shown_hands(motion::Clip clip, Hands hands) {
+  if (hands == Hands::hidden) {
+    for (motion::Pose& pose : clip.poses) pose.fingers.clear();
+  } else if (gets_relaxed_hands(clip, hands)) {
+    for (motion::Pose& pose : clip.poses) pose.fingers = motion::relaxed_fingers();
+  }
+  return clip;
+}
+
+}  // namespace mien::scenes
