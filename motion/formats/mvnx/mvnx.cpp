@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "motion/formats/mvnx/mvnx_hands.h"
 #include "motion/formats/mvnx/mvnx_skeleton.h"
 #include "motion/formats/reading/chosen_subject.h"
 #include "motion/formats/reading/frame_rate.h"
@@ -204,10 +205,13 @@ Recording recording_of(const TextCursor& cursor, MvnxSubject& subject, const Rea
   require_reasonable_size(place_at(cursor, subject.place), count, subject.frames.size());
   const bool is_named = !subject.segments.empty();
   name_segments(cursor, count, subject);
+  Recording recording;
+  add_tracked_hands(subject, recording.notes);
+  require_reasonable_size(place_at(cursor, subject.place), subject.segments.size(),
+                          subject.frames.size());
   require_rotations(cursor, subject);
   const MvnxTree tree = mvnx_tree(cursor, subject);
   const SegmentMotion motion{subject, tree};
-  Recording recording;
   recording.name = recording_name(cursor.file);
   recording.format = "mvnx";
   set_frame_rate(cursor, subject, options, recording);

@@ -17,6 +17,9 @@ namespace mien::motion {
 ///   where a file of 23 lacks `segments`. Segments on no joint (props) are left out.
 /// - Frames are those of type "normal": `orientation` (w x y z a segment, in the world) and
 ///   `position` (x y z a segment, metres). Frames of calibration poses are passed over.
+/// - Tracked fingers (`orientationFingersLeft`, `positionFingersRight`, …) are joints below the
+///   hands, named as in `fingerTrackingSegmentsLeft` or in MVN's order ("LeftCarpus",
+///   "LeftFirstMC", …); their parents are those of MVN's hands.
 /// - An offset is the median over the frames of a segment's position in the frame of its parent.
 ///   `notes` tells where positions differ from that by more than 1 cm.
 /// - The tip of the last segment of a chain is the farthest of its `points`.

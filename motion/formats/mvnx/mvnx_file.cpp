@@ -30,6 +30,12 @@ enum class MvnxElement {
   frame,
   orientation,
   position,
+  left_hand_segments,
+  right_hand_segments,
+  left_hand_orientation,
+  right_hand_orientation,
+  left_hand_position,
+  right_hand_position,
   other,
 };
 
@@ -59,6 +65,14 @@ constexpr MvnxChild known_children[] = {
     {MvnxElement::frames, "frame", MvnxElement::frame},
     {MvnxElement::frame, "orientation", MvnxElement::orientation},
     {MvnxElement::frame, "position", MvnxElement::position},
+    {MvnxElement::subject, "fingerTrackingSegmentsLeft", MvnxElement::left_hand_segments},
+    {MvnxElement::subject, "fingerTrackingSegmentsRight", MvnxElement::right_hand_segments},
+    {MvnxElement::left_hand_segments, "segment", MvnxElement::segment},
+    {MvnxElement::right_hand_segments, "segment", MvnxElement::segment},
+    {MvnxElement::frame, "orientationFingersLeft", MvnxElement::left_hand_orientation},
+    {MvnxElement::frame, "orientationFingersRight", MvnxElement::right_hand_orientation},
+    {MvnxElement::frame, "positionFingersLeft", MvnxElement::left_hand_position},
+    {MvnxElement::frame, "positionFingersRight", MvnxElement::right_hand_position},
 };
 
 MvnxElement child_of(MvnxElement parent, std::string_view name) {
@@ -68,10 +82,16 @@ MvnxElement child_of(MvnxElement parent, std::string_view name) {
   return found == std::end(known_children) ? MvnxElement::other : found->element;
 }
 
+/// Whether an element holds numbers of a hand in a frame.
+bool is_of_hand(MvnxElement element) {
+  return element >= MvnxElement::left_hand_orientation &&
+         element <= MvnxElement::right_hand_position;
+}
+
 bool has_text(MvnxElement element) {
-  return element == MvnxElement::orientation || element == MvnxElement::position ||
-         element == MvnxElement::point_position || element == MvnxElement::parent_connector ||
-         element == MvnxElement::child_connector;
+  return is_of_hand(element) || element == MvnxElement::orientation ||
+         element == MvnxElement::position || element == MvnxElement::point_position ||
+         element == MvnxElement::parent_connector || element == MvnxElement::child_connector;
 }
 
 class MvnxReader : public XmlEvents {
@@ -91,7 +111,10 @@ class MvnxReader : public XmlEvents {
     if (has_text(element)) begin_text(place);
     if (element == MvnxElement::subject) begin_subject(attributes, place);
     if (element == MvnxElement::frames && parent != MvnxElement::subject) begin_subject({}, place);
-    if (element == MvnxElement::segment) subject().segments.push_back({attributes.of("label"), {}});
+    if (element == MvnxElement::segment) {
+      segments_of(parent).push_back({attributes.of("label"), {}});
+      segment_list_ = parent;
+    }
     if (element == MvnxElement::joint) subject().joints.emplace_back();
     if (element == MvnxElement::frame) begin_frame(attributes, place);
   }
@@ -110,6 +133,7 @@ class MvnxReader : public XmlEvents {
       subject().joints.back().child = connected_segment();
     if (element == MvnxElement::frame && is_normal_) end_frame();
     if (!is_normal_) return;
+    if (is_of_hand(element)) add_numbers_of_hand(element);
     if (element == MvnxElement::orientation)
       add_numbers(subject().orientations, orientations_before_, orientation_count_, "orientation");
     if (element == MvnxElement::position)
@@ -120,6 +144,22 @@ class MvnxReader : public XmlEvents {
 
  private:
   MvnxSubject& subject() { return subjects.back(); }
+
+  /// The list of segments that an element holds.
+  std::vector<MvnxSegment>& segments_of(MvnxElement list) {
+    if (list == MvnxElement::left_hand_segments) return subject().hands[0].segments;
+    if (list == MvnxElement::right_hand_segments) return subject().hands[1].segments;
+    return subject().segments;
+  }
+
+  void add_numbers_of_hand(MvnxElement element) {
+    const bool is_left =
+        element == MvnxElement::left_hand_orientation || element == MvnxElement::left_hand_position;
+    MvnxHand& hand = subject().hands[is_left ? 0 : 1];
+    const bool is_position =
+        element == MvnxElement::left_hand_position || element == MvnxElement::right_hand_position;
+    parse_numbers(is_position ? hand.positions : hand.orientations, "finger tracking");
+  }
 
   void begin_text(size_t place) {
     text_.clear();
@@ -216,7 +256,7 @@ class MvnxReader : public XmlEvents {
       fail(cursor_, text_place_, "pos_b has " + std::to_string(numbers.size()) + " numbers, not 3",
            "export the file again");
     const Vec3 point(numbers.data());
-    std::optional<Vec3>& farthest = subject().segments.back().farthest_point;
+    std::optional<Vec3>& farthest = segments_of(segment_list_).back().farthest_point;
     if (!farthest || point.norm() > farthest->norm()) farthest = point;
   }
 
@@ -232,8 +272,9 @@ class MvnxReader : public XmlEvents {
   std::vector<MvnxElement> open_;
   std::string text_;  ///< of the element that is open
   size_t text_place_ = 0;
-  bool is_normal_ = false;        ///< inside a frame of type "normal"
-  size_t orientation_count_ = 0;  ///< numbers a frame; 0 before the first
+  MvnxElement segment_list_ = MvnxElement::segments;  ///< of the segment that is open
+  bool is_normal_ = false;                            ///< inside a frame of type "normal"
+  size_t orientation_count_ = 0;                      ///< numbers a frame; 0 before the first
   size_t position_count_ = 0;
   size_t orientations_before_ = 0;  ///< numbers before this frame
   size_t positions_before_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,6 +23,13 @@ struct MvnxJoint {
   std::string child;
 };
 
+/// The finger tracking of one hand; empty vectors where a file has none.
+struct MvnxHand {
+  std::vector<MvnxSegment> segments;
+  std::vector<double> orientations;  ///< frame by frame
+  std::vector<double> positions;     ///< frame by frame
+};
+
 /// What an MVNX file says of one person. Counts and numbers have not been checked, except that each
 /// frame has as many numbers as the first.
 struct MvnxSubject {
@@ -33,6 +41,7 @@ struct MvnxSubject {
   std::vector<std::size_t> frames;   ///< of type "normal": index in the text of each one's tag
   std::vector<double> orientations;  ///< frame by frame
   std::vector<double> positions;     ///< frame by frame; may be empty
+  std::array<MvnxHand, 2> hands;     ///< left, right; their numbers are not compared
   std::vector<double> times;         ///< milliseconds, a number a frame; empty unless all have one
 };
 

@@ -1,7 +1,10 @@
 #include "motion/formats/mvnx/mvnx_skeleton.h"
 
 #include <map>
+#include <set>
 #include <string_view>
+
+#include "motion/formats/mvnx/mvnx_hands.h"
 
 namespace mien::motion {
 
@@ -60,8 +63,13 @@ std::vector<std::pair<std::size_t, std::size_t>> links_of(const MvnxSubject& sub
       links.emplace_back(above->second, below->second);
   };
   for (const MvnxJoint& joint : subject.joints) add(joint.parent, joint.child);
-  if (!links.empty()) return links;
-  for (const StandardSegment& segment : standard_segments) add(segment.parent, segment.label);
+  if (links.empty()) {
+    for (const StandardSegment& segment : standard_segments) add(segment.parent, segment.label);
+  }
+  std::set<std::size_t> linked;
+  for (const auto& [parent, child] : links) linked.insert(child);
+  for (const auto& [label, child] : indices)
+    if (!linked.contains(child)) add(parent_in_mvn_hand(label), label);
   return links;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/formats/mvnx/mvnx_text.h"
+#include "motion/handed_motion.h"
 #include "motion/math/rotation.h"
 #include "motion/procedural/walker.h"
 #include "motion/refusal.h"
@@ -173,6 +174,48 @@ TEST(Mvnx, LeavesOutAPropAndSaysSo) {
   EXPECT_EQ(recording.skeleton.size(), 23);
   ASSERT_EQ(recording.notes.size(), 1u);
   EXPECT_EQ(recording.notes[0], "Segments that are connected to no other are left out: Prop1.");
+}
+
+Clip handed_clip() {
+  std::mt19937_64 random(1);
+  return with_moving_fingers(walk_clip(), random);
+}
+
+void expect_fingers(const Recording& recording, const Clip& clip) {
+  EXPECT_TRUE(recording.notes.empty()) << recording.notes.front();
+  EXPECT_EQ(recording.skeleton.size(), 23 + 2 * 20);
+  const BodyMapping mapping = recognise(recording);
+  EXPECT_TRUE(missing_finger_joints(mapping.hands).empty());
+  const Clip read = to_body(recording, mapping);
+  for (size_t f = 0; f < clip.poses.size(); ++f) {
+    ASSERT_EQ(read.poses[f].fingers.size(), size_t(finger_joint_count));
+    EXPECT_LT(largest_finger_turn(read.poses[f], clip.poses[f]), 1e-5) << f;
+  }
+}
+
+TEST(Mvnx, HasTheTrackedFingersWhateverTheyAreSeenFrom) {
+  const Clip clip = handed_clip();
+  for (const MvnxHands hands : {MvnxHands::world, MvnxHands::hand}) {
+    expect_fingers(parse_mvnx(mvnx_text(clip, {.hands = hands}), "a.mvnx"), clip);
+    expect_fingers(parse_mvnx(mvnx_text(clip, {.hands = hands, .has_joints = false}), "a.mvnx"),
+                   clip);
+  }
+}
+
+TEST(Mvnx, LeavesOutAHandOfWhichNumbersAreMissingOrThatIsElsewhere) {
+  const Clip clip = handed_clip();
+  const std::string text = mvnx_text(clip, {.hands = MvnxHands::world});
+  const std::string some = with_word(text, "<positionFingersLeft>", "<positionFingersLeft>1 2 3 ");
+  const Recording left_out = parse_mvnx(some, "a.mvnx");
+  EXPECT_EQ(left_out.skeleton.size(), 23 + 20);
+  ASSERT_EQ(left_out.notes.size(), 1u);
+  EXPECT_EQ(left_out.notes[0],
+            "The finger tracking of the left hand is left out: not every frame has the numbers of "
+            "all its segments.");
+  const std::string far = with_word(text, "<positionFingersRight>", "<positionFingersRight>9");
+  const Recording away = parse_mvnx(far, "a.mvnx");
+  ASSERT_EQ(away.notes.size(), 1u);
+  EXPECT_NE(away.notes[0].find("far from the hand"), std::string::npos) << away.notes[0];
 }
 
 TEST(Mvnx, OfSeveralPeopleGivesTheOneThatIsAskedFor) {

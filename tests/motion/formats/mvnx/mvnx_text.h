@@ -10,6 +10,7 @@
 
 #include "motion/math/geometry.h"
 #include "motion/skeleton/clip.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::test {
 
@@ -58,7 +59,11 @@ inline const std::vector<MvnSegment>& mvn_segments() {
 /// Z up).
 inline Vec3 along_mvn(const Vec3& v) { return {v.z(), v.x(), v.y()}; }
 
+/// What the numbers of tracked fingers are seen from.
+enum class MvnxHands { none, world, hand };
+
 struct MvnxLook {
+  MvnxHands hands = MvnxHands::none;
   bool has_segments = true;
   bool has_joints = true;
   bool has_positions = true;
@@ -76,6 +81,68 @@ inline std::string numbers(const std::vector<double>& values) {
   text.precision(9);
   for (size_t i = 0; i < values.size(); ++i) text << (i == 0 ? "" : " ") << values[i];
   return text.str();
+}
+
+/// A segment of MVN's hand and the joint of the handed body that it follows; −1: the wrist.
+struct HandSegment {
+  std::string name;
+  int finger_joint = -1;
+};
+
+inline std::vector<HandSegment> hand_segments(bool left) {
+  const std::string side = left ? "Left" : "Right";
+  std::vector<HandSegment> segments = {{side + "Carpus"}};
+  const char* fingers[] = {"First", "Second", "Third", "Fourth", "Fifth"};
+  const char* bones[] = {"MC", "PP", "MP", "DP"};
+  for (int f = 0; f < fingers_per_hand; ++f) {
+    const bool is_thumb = f == 0;
+    for (int bone = 0; bone < 4; ++bone) {
+      if (is_thumb && bone == 2) continue;
+      const int segment = is_thumb ? (bone == 3 ? 2 : bone) : bone - 1;
+      const std::string name = side + fingers[f] + bones[bone];
+      const int joint = segment < 0 ? -1 : finger_joint(left, Finger(f), segment);
+      segments.push_back({name, joint});
+    }
+  }
+  return segments;
+}
+
+/// Orientations and positions of the segments of a hand in a frame, as elements of MVNX.
+inline std::string hand_frame(const Skeleton& body, const Pose& pose, bool left, MvnxHands from) {
+  const JointTransforms world = world_transforms(with_fingers(body), with_fingers(pose));
+  const auto wrist = static_cast<size_t>(left ? LeftWrist : RightWrist);
+  const Quat back = from == MvnxHands::hand ? world.rotations[wrist].conjugate() : Quat::Identity();
+  const Vec3 origin = from == MvnxHands::hand ? world.positions[wrist] : Vec3(Vec3::Zero());
+  std::vector<double> orientations, positions;
+  for (const HandSegment& segment : hand_segments(left)) {
+    const size_t joint = segment.finger_joint < 0
+                             ? wrist
+                             : static_cast<size_t>(body_joint_count + segment.finger_joint);
+    const Quat q = back * world.rotations[joint];
+    const Vec3 axis = along_mvn(q.vec());
+    orientations.insert(orientations.end(), {q.w(), axis.x(), axis.y(), axis.z()});
+    const Vec3 place = along_mvn(back * (world.positions[joint] - origin));
+    positions.insert(positions.end(), {place.x(), place.y(), place.z()});
+  }
+  const std::string side = left ? "Left" : "Right";
+  return "<orientationFingers" + side + ">" + numbers(orientations) + "</orientationFingers" +
+         side + ">\n<positionFingers" + side + ">" + numbers(positions) + "</positionFingers" +
+         side + ">\n";
+}
+
+inline std::string hand_segment_list(bool left) {
+  const std::string side = left ? "Left" : "Right";
+  std::string text = "<fingerTrackingSegments" + side + " segmentCount=\"20\">\n";
+  for (const HandSegment& segment : hand_segments(left)) {
+    text += "<segment label=\"" + segment.name + "\"><points>";
+    if (segment.finger_joint >= 0) {
+      const Vec3 tip = along_mvn(fingertip_offset(left, finger_of(segment.finger_joint), 0.2));
+      text += "<point label=\"pTip\"><pos_b>" + numbers({tip.x(), tip.y(), tip.z()}) +
+              "</pos_b></point>";
+    }
+    text += "</points></segment>\n";
+  }
+  return text + "</fingerTrackingSegments" + side + ">\n";
 }
 
 inline std::string frame(const Skeleton& body, const Pose& pose, bool has_positions) {
@@ -122,7 +189,9 @@ inline std::string mvnx_subject(const Clip& clip, const MvnxLook& look = {}) {
     text += "<segments>\n";
     for (size_t s = 0; s < mvn_segments().size(); ++s)
       text += segment(mvn_segments()[s], clip.body, static_cast<int>(s) + 1);
-    text += "</segments>\n<sensors><sensor label=\"Pelvis\"/></sensors>\n";
+    text += "</segments>\n";
+    if (look.hands != MvnxHands::none) text += hand_segment_list(true) + hand_segment_list(false);
+    text += "<sensors><sensor label=\"Pelvis\"/></sensors>\n";
   }
   if (look.has_joints) {
     text += "<joints>\n";
@@ -143,7 +212,11 @@ inline std::string mvnx_subject(const Clip& clip, const MvnxLook& look = {}) {
     const std::string timed =
         look.milliseconds > 0.0 ? " time=\"" + numbers({time}) + "\"" : std::string();
     text += "<frame" + timed + " index=\"" + std::to_string(f) + "\" type=\"normal\">\n" +
-            frame(clip.body, clip.poses[f], look.has_positions) + "</frame>\n";
+            frame(clip.body, clip.poses[f], look.has_positions);
+    if (look.hands != MvnxHands::none)
+      text += hand_frame(clip.body, clip.poses[f], true, look.hands) +
+              hand_frame(clip.body, clip.poses[f], false, look.hands);
+    text += "</frame>\n";
   }
   return text + "</frames>\n</subject>\n";
 }
