@@ -165,6 +165,31 @@ mien::test::SkinnedGltf boxes_with_targets() {
   return file;
 }
 
+/// Both targets double the figure in its own space, so that each vertex moves by its place there.
+TEST(AFace, IsPlacedWithTheMeshThatItMoves) {
+  mien::test::SkinnedGltf file = boxes_with_targets();
+  json& primitive = file.json["meshes"][0]["primitives"][0];
+  const json positions = primitive["attributes"]["POSITION"];
+  primitive["attributes"]["NORMAL"] = positions;
+  primitive["targets"][0]["NORMAL"] = positions;
+  file.json["nodes"].push_back(
+      {{"name", "Armature"}, {"scale", {-2.0, 2.0, 2.0}}, {"children", {0}}});
+  const Character character = parse_character(file.text(), "mirrored.gltf");
+  const SkinnedMesh& mesh = character.meshes.front();
+  const MorphTarget& target = mesh.morphs.front();
+  ASSERT_EQ(target.vertices.size(), mesh.positions.size());
+  const Vec3 origin = mesh.positions[0] - target.positions[0];
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_LT((mesh.positions[v] - target.positions[v] - origin).norm(), 1e-6);
+  // Normals are in the same proportion to their changes as in the file: one to one.
+  const MeshShape less = morphed_shape(mesh, std::vector<double>{-0.5});
+  const MeshShape opposite = morphed_shape(mesh, std::vector<double>{-2.0});
+  for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+    EXPECT_LT((less.normals[v] - mesh.normals[v]).norm(), 1e-9);
+    EXPECT_LT((opposite.normals[v] + mesh.normals[v]).norm(), 1e-9);
+  }
+}
+
 json vrm_0_group(const char* name, const char* preset, int index, double weight) {
   return {{"name", name},
           {"presetName", preset},
