@@ -136,6 +136,10 @@ TEST(AFace, KnowsNamesWithOtherCaseAndSides) {
   EXPECT_EQ(control_named(face, "jawRight"), &face.controls[1]);
   EXPECT_EQ(control_named(face, "jaw"), &face.controls[2]);
   EXPECT_EQ(control_named(face, "blink"), nullptr);
+  face.controls = {{"Exp001", {{0, 1.0}}}, {"expression_12", {{1, 1.0}}}, {"Explain", {{2, 1.0}}}};
+  EXPECT_EQ(control_named(face, "exp1"), &face.controls[0]);
+  EXPECT_EQ(control_named(face, "exp12"), &face.controls[1]);
+  EXPECT_EQ(control_named(face, "exp2"), nullptr);
 }
 
 TEST(AFace, RefusesNamesThatItDoesNotHave) {
