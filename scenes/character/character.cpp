@@ -359,7 +359,7 @@ std::vector<render::Mesh> posed(const Character& character, const motion::Pose& 
   const JointMotions motions = joint_motions(rig_bind_pose(character), rig_pose(character, pose));
   std::vector<render::Mesh> meshes;
   for (const SkinnedMesh& mesh : character.meshes) {
-    meshes.push_back(linear_blend_skinned(mesh, motions, weights));
+    meshes.push_back(morphed_and_skinned(mesh, motions, weights));
   }
   return meshes;
 }

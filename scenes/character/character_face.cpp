@@ -7,6 +7,9 @@
 
 #include "motion/error.h"
 #include "motion/formats/face/face_table.h"
+#include "motion/formats/face/smpl_expressions.h"
+#include "motion/text/as_number.h"
+#include "motion/text/compressed_file.h"
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "scenes/character/face_animation.h"
@@ -16,13 +19,26 @@ namespace mien::scenes {
 
 namespace {
 
-/// Without regard to case and to how the side is written.
+/// "exp7" for "exp007", "exp_7" and "expression7": coefficients of SMPL-X.
+std::optional<std::string> expression_name(std::string_view plain) {
+  for (const std::string_view word : {"expression", "exp"}) {
+    if (!plain.starts_with(word)) continue;
+    std::string_view digits = plain.substr(word.size());
+    if (digits.starts_with('_')) digits.remove_prefix(1);
+    const std::optional<int> number = motion::as_number<int>(digits);
+    if (number && *number >= 0) return "exp" + std::to_string(*number);
+  }
+  return std::nullopt;
+}
+
+/// Without regard to case, to how the side is written, and to zeros before the number of a
+/// coefficient.
 std::string plain_face_name(std::string_view name) {
   std::string plain;
   for (const char c : name) plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (plain.ends_with("_l")) return plain.substr(0, plain.size() - 2) + "left";
   if (plain.ends_with("_r")) return plain.substr(0, plain.size() - 2) + "right";
-  return plain;
+  return expression_name(plain).value_or(plain);
 }
 
 std::string_view after_last_point(std::string_view name) {
@@ -77,6 +93,8 @@ std::vector<double> morph_weights(const Character& character, const FaceWeights&
 
 motion::FaceTrack read_face_track(const Face& face) {
   if (is_gltf_file(face.file)) return read_face_animation(face.file, face.take);
+  if (motion::without_compression(face.file).extension() == ".npz")
+    return motion::read_smpl_expressions(face.file, face.frames_per_second);
   return motion::read_face_table(face.file, face.frames_per_second);
 }
 

@@ -15,7 +15,8 @@ namespace {
 using motion::Mat3;
 using motion::Vec3;
 
-constexpr double margin = 1.02;  // of the oval's axes
+constexpr double margin = 1.02;      // of the oval's axes
+constexpr double chin_share = 0.35;  // of the height of the head's joint below the crown
 constexpr int meridians = 48;
 constexpr int parallels = 24;
 
@@ -41,19 +42,27 @@ std::set<std::size_t> drawn_vertices(const SkinnedMesh& mesh) {
   return drawn;
 }
 
-/// The vertices that follow the head mainly and are in front of its joint, seen from that joint.
-std::vector<Vec3> front_of_head(const Character& character, const std::vector<int>& owner,
-                                const Vec3& joint, const Mat3& axes) {
-  std::vector<Vec3> front;
+/// The vertices that follow the head mainly, seen from its joint.
+std::vector<Vec3> vertices_of_head(const Character& character, const std::vector<int>& owner,
+                                   const Vec3& joint, const Mat3& axes) {
+  std::vector<Vec3> vertices;
   for (const SkinnedMesh& mesh : character.meshes) {
     for (const std::size_t v : drawn_vertices(mesh)) {
       const auto follows = static_cast<std::size_t>(mesh.influences[v].front().joint);
-      if (owner[follows] != motion::Head) continue;
-      const Vec3 at = axes.transpose() * (mesh.positions[v] - joint);
-      if (at.z() >= 0.0) front.push_back(at);
+      if (owner[follows] == motion::Head)
+        vertices.emplace_back(axes.transpose() * (mesh.positions[v] - joint));
     }
   }
-  return front;
+  return vertices;
+}
+
+/// Those of the face: in front of the joint and above the neck.
+std::vector<Vec3> front_of(std::vector<Vec3> vertices) {
+  double crown = 0.0;
+  for (const Vec3& at : vertices) crown = std::max(crown, at.y());
+  std::erase_if(vertices,
+                [&](const Vec3& at) { return at.z() < 0.0 || at.y() < -chin_share * crown; });
+  return vertices;
 }
 
 /// The smallest ellipsoid around the points with the proportions of their box.
@@ -106,7 +115,7 @@ Character with_hidden_face(Character character) {
   const Vec3 place = joint < 0
                          ? Vec3(Vec3::Zero())
                          : rig_bind_pose(character).positions[static_cast<std::size_t>(joint)];
-  const std::vector<Vec3> front = front_of_head(character, owner, place, axes);
+  const std::vector<Vec3> front = front_of(vertices_of_head(character, owner, place, axes));
   if (joint < 0 || front.empty())
     throw Error({character.name},
                 "no part of its mesh in front follows the head, so there is no "

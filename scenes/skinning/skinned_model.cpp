@@ -142,8 +142,8 @@ render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& m
   return blended(mesh, motions, mesh.positions, mesh.normals);
 }
 
-render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
-                                  std::span<const double> weights) {
+render::Mesh morphed_and_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
+                                 std::span<const double> weights) {
   if (!is_morphed(mesh, weights)) return linear_blend_skinned(mesh, motions);
   const MeshShape shape = morphed_shape(mesh, weights);
   return blended(mesh, motions, shape.positions, shape.normals);

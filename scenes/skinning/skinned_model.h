@@ -62,10 +62,10 @@ JointMotions joint_motions(const motion::JointTransforms& bind, const motion::Jo
 /// its normal by the cofactor matrix. Accepts any affine transforms. Twisting limbs lose volume.
 render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions);
 
-/// The same of a mesh that its morph targets have changed first; `weights` has one for each morph
-/// of the figure.
-render::Mesh linear_blend_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
-                                  std::span<const double> weights);
+/// Linear blend skinning of a mesh that its morph targets have changed first; `weights` has one for
+/// each morph of the figure.
+render::Mesh morphed_and_skinned(const SkinnedMesh& mesh, const JointMotions& motions,
+                                 std::span<const double> weights);
 
 /// Dual quaternion skinning (Kavan et al. 2008): every vertex is transformed by the normalised
 /// weighted sum of its joints' dual quaternions, each negated if its real part has a negative dot

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "motion/error.h"
 #include "motion/formats/fbx/fbx_document.h"
@@ -19,7 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     pose.rotations.assign(character.body.joints.size(), mien::motion::Quat::Identity());
     mien::render::Scene scene;
     scene.materials.push_back({});
-    add_character(scene, character, pose);
+    // Half of each morph target.
+    const std::vector<double> weights(static_cast<std::size_t>(character.face.morph_count), 0.5);
+    add_character(scene, character, pose, weights);
     mien::render::validate(scene);
   } catch (const mien::Error&) {
   }

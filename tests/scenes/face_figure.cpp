@@ -120,8 +120,8 @@ scenes::SkinnedMesh small_headed(const scenes::Mannequin& mannequin, const Vec3&
   scenes::SkinnedMesh mesh = mannequin.mesh;
   const double neck = mannequin.bind.positions[motion::Head].y();
   for (Vec3& at : mesh.positions) {
-    const double share = std::min(1.0, std::max(0.0, (at.y() - neck) / 0.05));
-    at += 0.35 * share * (head - at);
+    const double share = std::min(1.0, std::max(0.0, (at.y() - neck + 0.04) / 0.05));
+    at += 0.4 * share * (head - at);
   }
   return mesh;
 }

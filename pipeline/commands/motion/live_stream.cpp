@@ -66,7 +66,7 @@ std::optional<std::string> MotionSource::next(const std::stop_token& stop) {
     pollfd waiting{descriptor_, POLLIN, 0};
     if (poll(&waiting, 1, look_up_milliseconds) == 0) continue;
     std::array<char, 16384> bytes;
-    const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+    const ssize_t count = read(descriptor_, bytes.data(), bytes.size());
     if (count > 0) return std::string(bytes.data(), static_cast<std::size_t>(count));
     if (count == 0) return std::nullopt;
     if (errno != EINTR && errno != EAGAIN)

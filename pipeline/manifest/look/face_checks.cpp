@@ -26,7 +26,7 @@ void check_weights(const scenes::FaceWeights& weights, const std::string& path, 
 void check_options(const scenes::Face& face, const std::string& path, FaultList& list) {
   const bool is_table = !scenes::is_gltf_file(face.file);
   if (is_table && !face.take.empty())
-    list.add(member_path(path, "take"), "a table of weights has no takes", "omit take");
+    list.add(member_path(path, "take"), "only glTF files have takes", "omit take");
   if (!is_table && face.frames_per_second)
     list.add(member_path(path, "fps"), "the times of a glTF file are in seconds", "omit fps");
 }
@@ -34,7 +34,8 @@ void check_options(const scenes::Face& face, const std::string& path, FaultList&
 void check_file(const scenes::Face& face, const std::string& path, FaultList& list,
                 const scenes::FaceControls& controls) {
   const std::string at = member_path(path, "file");
-  list.check_file(at, face.file, "a table of weights (.csv, .tsv), or a glTF file",
+  list.check_file(at, face.file,
+                  "a table of weights (.csv, .tsv), a glTF file, or an .npz file of SMPL-X",
                   motion::max_table_bytes);
   if (!motion::read_error(face.file, motion::max_table_bytes).empty()) return;
   try {

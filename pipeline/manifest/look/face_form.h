@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "pipeline/base/reading/field_values.h"
+#include "pipeline/base/documents/concerns.h"
 #include "scenes/figures/face.h"
 
 namespace mien::pipeline {

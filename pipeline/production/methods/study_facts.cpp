@@ -70,8 +70,13 @@ std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
 std::string figure_options(const Look& look) {
   const OrderedJson figure =
       FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
+  const OrderedJson face = FaceForm::write(look.face, WritingOptions{.for_key = true});
   if (figure.is_string()) return "";
-  const OrderedJson options = *figure.begin();
+  OrderedJson options = *figure.begin();
+  if (!face.is_null()) {
+    if (!options.is_object()) options = {{figure.begin().key(), options}};
+    options["face"] = face;
+  }
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 

@@ -58,7 +58,7 @@ TEST(AMorphTarget, OfWeightZeroLeavesEveryByte) {
   complete_morph_normals(mesh);
   for (const std::vector<double>& weights : {std::vector<double>{}, {0.0}, {0.0, 1.0}}) {
     EXPECT_FALSE(is_morphed(mesh, weights));
-    const render::Mesh same = linear_blend_skinned(mesh, some_motions(), weights);
+    const render::Mesh same = morphed_and_skinned(mesh, some_motions(), weights);
     EXPECT_EQ(same.positions, plain.positions);
     EXPECT_EQ(same.normals, plain.normals);
   }
@@ -90,7 +90,7 @@ TEST(AMorphTarget, IsAppliedBeforeSkinning) {
   mesh.morphs = {moving(0, {6, 7}, move)};
   const JointMotions motions = some_motions();
   const std::vector<double> weights = {0.5};
-  const render::Mesh skinned = linear_blend_skinned(mesh, motions, weights);
+  const render::Mesh skinned = morphed_and_skinned(mesh, motions, weights);
   for (const std::size_t v : {std::size_t{6}, std::size_t{7}}) {
     const double share = static_cast<double>(mesh.influences[v][1].weight);
     const Vec3 at = mesh.positions[v] + 0.5 * move;

@@ -109,7 +109,8 @@ TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
   const std::string figure = "figure: {character: face.gltf}, ";
   EXPECT_EQ(faults(figure + "face: {file: none.csv}"),
             "m.yaml:4:52: look.face.file: there is no file none.csv; give a table of weights "
-            "(.csv, .tsv), or a glTF file; paths are taken from the manifest's folder\n");
+            "(.csv, .tsv), a glTF file, or an .npz file of SMPL-X; paths are taken from the "
+            "manifest's folder\n");
   EXPECT_EQ(faults(figure + "face: {file: high.csv}"),
             "m.yaml:4:52: look.face.file: high.csv:3:3: one: the weight 1.5 is not from 0 to 1; "
             "divide percentages by 100\n");
@@ -120,7 +121,7 @@ TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
             "m.yaml:4:52: look.face.file: frames.csv:1:1: the table counts frames without stating "
             "their rate; state the frames per second (fps)\n");
   EXPECT_EQ(faults(figure + "face: {file: rise.csv, take: Rise}"),
-            "m.yaml:4:68: look.face.take: a table of weights has no takes; omit take\n");
+            "m.yaml:4:68: look.face.take: only glTF files have takes; omit take\n");
   EXPECT_EQ(faults(figure + "face: {file: face.gltf, fps: 30}"),
             "m.yaml:4:68: look.face.fps: the times of a glTF file are in seconds; omit fps\n");
   EXPECT_EQ(

@@ -10,6 +10,7 @@
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/temporary_folder.h"
 #include "scenes/figures/figure_colour.h"
+#include "scenes/skinned_gltf.h"
 
 namespace mien::pipeline {
 namespace {
@@ -141,6 +142,27 @@ TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
       ".vrm, .fbx); paths are taken from the manifest's folder";
   for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
     EXPECT_EQ(faults_of_options({.figure = figure}), none) << figure;
+}
+
+TEST(LookOptions, TakeAFaceAsAWordWeightsOrAFile) {
+  const test::TemporaryFolder folder;
+  test::SkinnedGltf character = test::skinned_gltf(motion::standard_body(), {});
+  test::add_face(character);
+  const std::string figure = (folder.path() / "face.gltf").string();
+  write_file(figure, character.text());
+  const std::string table = (folder.path() / "a face.csv").string();
+  write_file(table, "time,one\n0,0\n");
+  const auto face_of = [&](const std::string& face) {
+    return look_of({.figure = figure, .face = face}).face;
+  };
+  EXPECT_TRUE(face_of("").is_neutral());
+  EXPECT_TRUE(face_of("hidden").is_hidden);
+  EXPECT_EQ(face_of("one: 0.5").weights, (scenes::FaceWeights{{"one", 0.5}}));
+  EXPECT_EQ(face_of(table).file, table);
+  EXPECT_EQ(face_of("{file: '" + table + "', start: 2}").start_s, 2.0);
+  EXPECT_EQ(faults_of_options({.face = "hidden"}),
+            "--face: the figure \"stick\" has no face; use the figure of a character's file, or "
+            "face: neutral");
 }
 
 TEST(LookOptions, FaultsOfASetAreToldAtTheirPlaceInItsFile) {

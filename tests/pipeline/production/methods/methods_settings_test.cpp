@@ -12,6 +12,7 @@
 #include "pipeline/production/methods/methods.h"
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/stated_settings.h"
+#include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/run/option_variants.h"
 #include "pipeline/temporary_folder.h"
 
@@ -41,6 +42,32 @@ class MethodsSettings : public testing::Test {
     return methods_of(reading.manifest, motions).markdown;
   }
 };
+
+TEST_F(MethodsSettings, StateTheFace) {
+  const auto look_with = [](const std::string& face) {
+    return "look: {figure: {character: face.gltf}, face: " + face + "}\n";
+  };
+  const std::string head = "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n";
+  const std::string stimuli = "stimuli: [{id: a, weights: {normal: 1}}]\n";
+  const auto expect_stated = [&](const std::string& face, const std::string& words) {
+    const std::string methods = methods_for(head + look_with(face) + stimuli);
+    EXPECT_NE(methods.find(words), std::string::npos) << methods;
+  };
+  expect_stated("{one: 0.5}", "the face's one at a weight of 0.5");
+  expect_stated("hidden", "faces hidden behind a plain oval");
+  expect_stated("{file: rise.csv, start: 0.5}",
+                "faces moved by the weights of the file rise.csv and weights of the face beginning "
+                "at 0.5 s of the film");
+}
+
+TEST(StudyFacts, NameTheFaceAmongTheOptionsOfAFigure) {
+  Look look;
+  EXPECT_EQ(figure_options(look), "");
+  look.figure = scenes::CharacterOptions{"folder/robot.glb", {}};
+  EXPECT_EQ(figure_options(look), R"("robot.glb")");
+  look.face.weights = {{"happy", 0.5}};
+  EXPECT_EQ(figure_options(look), R"({"character":"robot.glb","face":{"happy":0.5}})");
+}
 
 /// Of a film: what it looks like, how it is written, what its motion is blended of and by.
 bool is_of_films(const std::string& path) {

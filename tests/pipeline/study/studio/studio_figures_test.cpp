@@ -2,7 +2,9 @@
 
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +107,33 @@ TEST_F(Studio, MovesACharacterAsFilmsDo) {
   const float* turned = poses.data() + poses.size() - 4;
   EXPECT_NEAR(turned[3], rig.rotations.back().w(), 1e-6);
   draft["look"]["figure"] = {{"character", "../robot.gltf"}};
+  EXPECT_EQ(post("motion", {{"document", draft}, {"show", "guess-1"}}).status, 422);
+}
+
+TEST_F(Studio, ShowsTheFaceOfACharacter) {
+  auto robot = test::skinned_gltf(motion::standard_body(1.3), {{}, test::mixamo_names()});
+  test::add_face(robot);
+  write_file(folder_.path() / "robot.gltf", robot.text());
+  write_file(folder_.path() / "half.csv", "time,one\n0,0.5\n");
+  ordered_json draft = document();
+  draft["look"]["figure"] = {{"character", "robot.gltf"}};
+  const auto figure = [&](const ordered_json& face) {
+    draft["look"]["face"] = face;
+    ordered_json asked = {{"document", draft}, {"show", "guess-1"}};
+    const HttpResponse told = post("motion", asked);
+    EXPECT_EQ(told.status, 200) << told.body;
+    asked["key"] = head_of(told)["figure"]["key"];
+    return std::pair(asked["key"].get<std::string>(), post("figure", asked).body);
+  };
+  const auto [key, plain] = figure("neutral");
+  const auto [half_key, half] = figure({{"one", 0.5}});
+  const auto [hidden_key, hidden] = figure("hidden");
+  const auto [file_key, of_file] = figure({{"file", "half.csv"}});
+  EXPECT_EQ((std::set<std::string>{key, half_key, hidden_key, file_key}).size(), 4u);
+  EXPECT_NE(half, plain);
+  EXPECT_EQ(half, of_file);
+  EXPECT_GT(hidden.size(), plain.size());
+  draft["look"]["face"] = {{"file", "../half.csv"}};
   EXPECT_EQ(post("motion", {{"document", draft}, {"show", "guess-1"}}).status, 422);
 }
 
