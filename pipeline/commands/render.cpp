@@ -184,6 +184,11 @@ std::vector<CommandOption> look_options(LookOptions& look) {
                      "character (" +
                      fmt::format("{}", fmt::join(scenes::character_endings, ", ")) + ")")
               .with_default(),
+          option("--hands", &look.hands,
+                 "Fingers: auto (where the motion has them), drawn (otherwise relaxed hands) or "
+                 "hidden")
+              .one_of({"auto", "drawn", "hidden"})
+              .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
                  "sets); default: studio, or void for point-light figures and markers")};

@@ -41,7 +41,8 @@ std::string yaml_of(const LookOptions& options) {
   const std::string figure =
       is_character(options.figure) ? "{character: '${MIEN_FIGURE}'}" : in_braces(options.figure);
   const std::string given_scene = options.scene.empty() ? "" : "scene: " + scene + "\n";
-  return given_scene + "figure: " + figure + "\ncamera: " + in_braces(options.camera) + "\n";
+  return given_scene + "figure: " + figure + "\nhands: " + options.hands +
+         "\ncamera: " + in_braces(options.camera) + "\n";
 }
 
 json look_schema() {

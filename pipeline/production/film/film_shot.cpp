@@ -72,6 +72,7 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed) {
   return {.set = staged_set(look),
           .figure = look.figure,
+          .hands = look.hands,
           .camera = look.camera,
           .size = output.whole_size(),
           .window = output.window(),

@@ -22,7 +22,7 @@ motion::Clip walk() { return test::walking_clip(5, Vec3::UnitZ(), 0.04); }
 motion::Clip gesture() {
   motion::Clip clip = walk();
   for (std::size_t f = 0; f < clip.poses.size(); ++f)
-    clip.poses[f].fingers = test::random_fingers(static_cast<std::uint32_t>(f));
+    clip.poses[f].fingers = mien::test::random_fingers(static_cast<std::uint32_t>(f));
   return clip;
 }
 
