@@ -128,6 +128,7 @@ Clip retimed(const Clip& clip, const Retiming& retiming) {
     const double source = retiming.sources[f];
     result.poses[f].root_position = value_at(root, source, clip.loops).head<3>() +
                                     source / clip.frame_count() * clip.cycle_displacement;
+    result.poses[f].fingers = pose_at(clip, source / clip.frames_per_second).fingers;
   }
   return result;
 }

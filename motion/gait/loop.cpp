@@ -6,6 +6,7 @@
 
 #include "motion/gait/gait_events.h"
 #include "motion/math/rotation.h"
+#include "motion/skeleton/hand.h"
 #include "motion/skeleton/mirror.h"
 
 namespace mien::motion {
@@ -90,9 +91,12 @@ EndStencils end_stencils(const Clip& clip, int start, int end) {
   return {{0, 1}, {-1, 0}};
 }
 
-Vec3 turning(const Clip& clip, int frame, int joint, const Stencil& stencil) {
-  const Quat& from = clip.poses[frame + stencil.before].rotations[joint];
-  const Quat& to = clip.poses[frame + stencil.after].rotations[joint];
+/// The joints of the body, or those of the hands.
+using JointList = std::vector<Quat> Pose::*;
+
+Vec3 turning(const Clip& clip, int frame, JointList joints, int joint, const Stencil& stencil) {
+  const Quat& from = (clip.poses[frame + stencil.before].*joints)[joint];
+  const Quat& to = (clip.poses[frame + stencil.after].*joints)[joint];
   return log(to * from.conjugate()) * (clip.frames_per_second / (stencil.after - stencil.before));
 }
 
@@ -102,17 +106,18 @@ Vec3 root_velocity(const Clip& clip, int frame, const Stencil& stencil) {
          (clip.frames_per_second / (stencil.after - stencil.before));
 }
 
-void close_rotations(std::vector<Pose>& poses, int joint, const Clip& clip, int start, int end) {
+void close_rotations(std::vector<Pose>& poses, JointList joints, int joint, const Clip& clip,
+                     int start, int end) {
   const int n = static_cast<int>(poses.size());
   const EndStencils stencils = end_stencils(clip, start, end);
   const Vec3 difference =
-      log(poses.back().rotations[joint] * poses.front().rotations[joint].conjugate());
+      log((poses.back().*joints)[joint] * (poses.front().*joints)[joint].conjugate());
   // Offsets turn the velocities at the ends along.
-  const Vec3 change = exp(-0.5 * difference) * turning(clip, end, joint, stencils.end) -
-                      exp(0.5 * difference) * turning(clip, start, joint, stencils.start);
+  const Vec3 change = exp(-0.5 * difference) * turning(clip, end, joints, joint, stencils.end) -
+                      exp(0.5 * difference) * turning(clip, start, joints, joint, stencils.start);
   for (int i = 0; i < n; ++i) {
     const Fade fade = fade_share(i, n, clip.frames_per_second);
-    Quat& rotation = poses[i].rotations[joint];
+    Quat& rotation = (poses[i].*joints)[joint];
     rotation = (exp((fade.after_start + fade.before_end) * change) *
                 exp(offset_share(i, n) * difference) * rotation)
                    .normalized();
@@ -137,17 +142,25 @@ void close_root(std::vector<Pose>& poses, const Vec3& travel, const Clip& clip, 
 /// What a step's end must lose to meet the mirror image of its start: of each joint's rotation and
 /// of the root's place.
 struct StepMismatch {
-  std::array<Vec3, body_joint_count> turns;
+  std::vector<Vec3> turns;
+  std::vector<Vec3> finger_turns;
   Vec3 place;
 };
 
+int mirrored_body_joint(int joint) { return mirrored(BodyJoint(joint)); }
+
+void correct(std::vector<Quat>& rotations, const std::vector<Vec3>& turns, int (*mirror)(int),
+             double at_start, double at_end) {
+  for (int j = 0; j < static_cast<int>(rotations.size()); ++j) {
+    const Vec3 image = mirrored_turn(turns[mirror(j)]);
+    rotations[j] = (exp(at_start * image + at_end * turns[j]) * rotations[j]).normalized();
+  }
+}
+
 /// Adds `at_end` times the mismatch, and `at_start` times its mirror image on the other side.
 void correct(Pose& pose, const StepMismatch& mismatch, double at_start, double at_end) {
-  for (int j = 0; j < body_joint_count; ++j) {
-    const Vec3 image = mirrored_turn(mismatch.turns[mirrored(BodyJoint(j))]);
-    pose.rotations[j] =
-        (exp(at_start * image + at_end * mismatch.turns[j]) * pose.rotations[j]).normalized();
-  }
+  correct(pose.rotations, mismatch.turns, mirrored_body_joint, at_start, at_end);
+  correct(pose.fingers, mismatch.finger_turns, mirrored_finger, at_start, at_end);
   pose.root_position += at_start * mirrored_place(mismatch.place) + at_end * mismatch.place;
 }
 
@@ -159,12 +172,18 @@ void close_step(std::vector<Pose>& poses, double travel, const Clip& clip, int s
   const Pose image = mirrored(poses.front());
   StepMismatch poses_differ;
   StepMismatch speeds_differ;
-  for (int j = 0; j < body_joint_count; ++j) {
-    const auto other = mirrored(BodyJoint(j));
-    poses_differ.turns[j] = log(poses.back().rotations[j] * image.rotations[j].conjugate());
-    speeds_differ.turns[j] = turning(clip, end, j, stencils.end) -
-                             mirrored_turn(turning(clip, start, other, stencils.start));
-  }
+  const auto differences = [&](JointList joints, int (*mirror)(int), std::vector<Vec3>& of_poses,
+                               std::vector<Vec3>& of_speeds) {
+    const std::vector<Quat>& last = poses.back().*joints;
+    for (int j = 0; j < static_cast<int>(last.size()); ++j) {
+      of_poses.push_back(log(last[j] * (image.*joints)[j].conjugate()));
+      of_speeds.push_back(turning(clip, end, joints, j, stencils.end) -
+                          mirrored_turn(turning(clip, start, joints, mirror(j), stencils.start)));
+    }
+  };
+  differences(&Pose::rotations, mirrored_body_joint, poses_differ.turns, speeds_differ.turns);
+  differences(&Pose::fingers, mirrored_finger, poses_differ.finger_turns,
+              speeds_differ.finger_turns);
   poses_differ.place = poses.back().root_position - image.root_position - Vec3(0, 0, travel);
   speeds_differ.place = root_velocity(clip, end, stencils.end) -
                         mirrored_place(root_velocity(clip, start, stencils.start));
@@ -235,8 +254,9 @@ Clip closed_ends(const Clip& clip, int start, int end) {
   closed.poses.assign(clip.poses.begin() + start, clip.poses.begin() + end + 1);
   Vec3 travel = closed.poses.back().root_position - closed.poses.front().root_position;
   travel.y() = 0.0;
-  for (int j = 0; j < body_joint_count; ++j) {
-    close_rotations(closed.poses, j, clip, start, end);
+  for (const JointList joints : {&Pose::rotations, &Pose::fingers}) {
+    const auto count = static_cast<int>((clip.poses[start].*joints).size());
+    for (int j = 0; j < count; ++j) close_rotations(closed.poses, joints, j, clip, start, end);
   }
   close_root(closed.poses, travel, clip, start, end);
   return closed;

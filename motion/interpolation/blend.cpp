@@ -71,6 +71,18 @@ std::vector<Voice> voices_of(const ExampleSet& set, const Eigen::VectorXd& weigh
   return voices;
 }
 
+/// The weighted mean of each joint in one of the lists of rotations that a pose has.
+std::vector<Quat> blended(const std::vector<Pose>& poses, std::vector<Quat> Pose::*joints,
+                          const std::vector<double>& weights, RotationBlend how) {
+  std::vector<Quat> mean;
+  std::vector<Quat> rotations(poses.size());
+  for (size_t j = 0; j < (poses.front().*joints).size(); ++j) {
+    for (size_t i = 0; i < poses.size(); ++i) rotations[i] = (poses[i].*joints)[j];
+    mean.push_back(blend_rotations(rotations, weights, how));
+  }
+  return mean;
+}
+
 Pose blended_pose(const std::vector<Voice>& voices, double seconds, RotationBlend how) {
   std::vector<Pose> poses;
   std::vector<double> weights;
@@ -82,19 +94,20 @@ Pose blended_pose(const std::vector<Voice>& voices, double seconds, RotationBlen
   for (size_t i = 0; i < poses.size(); ++i) {
     pose.root_position += weights[i] * poses[i].root_position;
   }
-  std::vector<Quat> rotations(poses.size());
-  for (size_t j = 0; j < poses.front().rotations.size(); ++j) {
-    for (size_t i = 0; i < poses.size(); ++i) rotations[i] = poses[i].rotations[j];
-    pose.rotations.push_back(blend_rotations(rotations, weights, how));
-  }
+  pose.rotations = blended(poses, &Pose::rotations, weights, how);
+  const bool all_have_fingers =
+      std::all_of(poses.begin(), poses.end(), [](const Pose& one) { return !one.fingers.empty(); });
+  if (all_have_fingers) pose.fingers = blended(poses, &Pose::fingers, weights, how);
   return pose;
 }
 
 /// Puts neighbouring rotations in the same hemisphere, so that interpolation takes the shorter arc.
 void make_continuous(std::vector<Pose>& poses) {
   for (size_t f = 1; f < poses.size(); ++f) {
-    for (size_t j = 0; j < poses[f].rotations.size(); ++j) {
-      poses[f].rotations[j] = in_hemisphere_of(poses[f - 1].rotations[j], poses[f].rotations[j]);
+    for (const auto joints : {&Pose::rotations, &Pose::fingers}) {
+      std::vector<Quat>& now = poses[f].*joints;
+      for (size_t j = 0; j < now.size(); ++j)
+        now[j] = in_hemisphere_of((poses[f - 1].*joints)[j], now[j]);
     }
   }
 }

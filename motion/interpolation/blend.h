@@ -32,7 +32,7 @@ std::vector<double> mean_keytimes(const ExampleSet& set, const Eigen::VectorXd& 
 
 /// A weighted blend of the examples. Keytimes and duration are weighted means; at each time, every
 /// example is sampled at its corresponding time, and the weighted means of rotations and root
-/// positions are taken.
+/// positions are taken, and of fingers where all examples with weight have them.
 ///
 /// `weights` has one entry per example, all ≥ 0 and summing to 1. All examples have the same body
 /// and the same number of keytimes. The duration is rounded to whole frames, so that a loop can be

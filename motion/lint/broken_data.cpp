@@ -120,6 +120,7 @@ bool is_calculable(const Clip& clip) {
     const auto finite = [](const Vec3& v) { return v.allFinite(); };
     return pose.root_position.allFinite() &&
            std::all_of(pose.rotations.begin(), pose.rotations.end(), fine) &&
+           std::all_of(pose.fingers.begin(), pose.fingers.end(), fine) &&
            std::all_of(pose.offsets.begin(), pose.offsets.end(), finite);
   });
 }

@@ -99,6 +99,11 @@ Findings find_broken_seam(const LintMotion& motion, const LintOptions& options);
 Findings find_joints_beyond_limits(const LintMotion& motion, const LintOptions& options,
                                    const LintMotion* original);
 
+/// Finds finger joints beyond their range (finger_angles.h) and beyond what the original's do.
+/// Warnings only: where a straight finger lies differs between rigs. Nothing without fingers.
+Findings find_fingers_beyond_limits(const LintMotion& motion, const LintOptions& options,
+                                    const LintMotion* original);
+
 /// Finds elbows that are bent backwards for at least 0.25 s: the forearm points away from forward
 /// by more than the shoulder and the elbow together allow, and more than in the original. Not
 /// measured of arms that are nearly straight or raised above horizontal by more than 30°.

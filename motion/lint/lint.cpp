@@ -18,6 +18,7 @@ const std::vector<LintCheck>& lint_checks() {
       {"jitter", "hands, feet or head that tremble at random"},
       {"loop-seam", "loops that do not close"},
       {"joint-limit", "joints beyond their range"},
+      {"finger-limit", "fingers beyond their range"},
       {"joint-speed", "joints that rotate too fast"},
       {"jerk", "hands, feet or head jerkier than in the original", true},
       {"self-intersection", "interpenetrating body parts"},
@@ -65,6 +66,7 @@ void check_motion(const LintMotion& motion, const LintOptions& options, const Li
   add(find_jitter(motion, options, original));
   add(find_joints_beyond_limits(motion, options, original));
   add(find_backward_elbows(motion, options, original));
+  add(find_fingers_beyond_limits(motion, options, original));
   add(find_fast_joints(motion, options, original));
   add(find_self_intersections(motion, options, original));
   const Findings drift = find_drift(motion, options, original);

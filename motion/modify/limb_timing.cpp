@@ -5,8 +5,10 @@
 #include <numeric>
 
 #include "motion/math/filter.h"
+#include "motion/math/rotation.h"
 #include "motion/skeleton/joint_curve.h"
 #include "motion/skeleton/pose.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -217,7 +219,28 @@ std::vector<int> contact_frames(const std::vector<FootPlant>& plants, int frame_
   return frames;
 }
 
+namespace {
+
+/// Fingers go along with their hand.
+void retime_fingers(Clip& clip, bool left, const std::vector<double>& sources) {
+  if (!has_fingers(clip)) return;
+  const Clip before = clip;
+  for (size_t f = 0; f < sources.size(); ++f) {
+    const Pose played = pose_at(before, sources[f] / clip.frames_per_second);
+    for (int joint = 0; joint < finger_joint_count; ++joint) {
+      const auto at = static_cast<size_t>(joint);
+      if (is_left_finger(joint) != left) continue;
+      Quat& finger = clip.poses[f].fingers[at];
+      finger = in_hemisphere_of(finger, played.fingers[at]);
+    }
+  }
+}
+
+}  // namespace
+
 void retime(Clip& clip, Limb limb, const std::vector<double>& sources) {
+  if (limb == Limb::left_hand || limb == Limb::right_hand)
+    retime_fingers(clip, limb == Limb::left_hand, sources);
   for (const BodyJoint joint : joints_of(limb)) {
     const std::vector<Directions> curve = direction_curve(clip, joint);
     std::vector<Directions> retimed;

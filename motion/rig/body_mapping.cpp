@@ -9,7 +9,9 @@
 #include "motion/math/rotation.h"
 #include "motion/rig/bone_tree.h"
 #include "motion/rig/calibration.h"
+#include "motion/rig/canonical_rig.h"
 #include "motion/rig/proportions.h"
+#include "motion/rig/rest_calibration.h"
 #include "motion/rig/rig_motion.h"
 #include "motion/rig/rig_names.h"
 #include "motion/rig/rig_topology.h"
@@ -179,24 +181,9 @@ void check_frames(const Recording& recording) {
               "give a recording of at least one frame");
 }
 
-/// Whether a rig is the canonical body: as mien writes it, with its limbs at rest in their
-/// directions and the toes straight ahead. Another rig of these names has other directions.
-bool is_canonical(const Skeleton& rig, const UpAxis& up) {
-  const double least_cosine = std::cos(3 * radians_per_degree);
-  if (!is_body(rig) || up.axis != Vec3::UnitY()) return false;
-  for (const BodyJoint joint : {LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle,
-                                LeftShoulder, LeftElbow, RightShoulder, RightElbow}) {
-    Vec3 bone = rig.joints[static_cast<size_t>(joint) + 1].offset;
-    if (joint == LeftAnkle || joint == RightAnkle) bone.y() = 0.0;
-    if (!(bone.norm() > 0.0)) return false;
-    if (bone.normalized().dot(rest_direction(joint)) < least_cosine) return false;
-  }
-  return true;
-}
-
 ZeroPose zero_pose_of(const Recording& recording, const UpAxis& up) {
   // The body that was fitted to points.
-  if (recording.markers || is_canonical(recording.skeleton, up)) return ZeroPose::own;
+  if (recording.markers || is_canonical_rig(recording.skeleton, up.axis)) return ZeroPose::own;
   return recording.format == "smpl" ? ZeroPose::defined : ZeroPose::checked;
 }
 
@@ -227,6 +214,16 @@ std::vector<Quat> local_rotations(const RigMotion& motion, const JointTransforms
   return local;
 }
 
+void map_hands(BodyMapping& mapping, std::span<const RigMotion> motions, ZeroPose zero_pose) {
+  const bool is_own = zero_pose == ZeroPose::own;
+  const bool is_figure =
+      zero_pose != ZeroPose::checked || rest_calibration(motions.front()).has_value();
+  mapping.hands = hand_mapping(motions, is_figure, is_own);
+  if (is_own && mapping.hands.any()) keep_own_tips(motions.front().rig, mapping.body);
+  for (std::string& warning : hand_warnings(mapping.hands))
+    mapping.warnings.push_back(std::move(warning));
+}
+
 /// The canonical body where the rig is: the floor neither levelled nor at y = 0.
 Clip as_recorded(const Recording& recording, const BodyMapping& mapping) {
   const RigMotion motion = rig_motion(recording, mapping.joints, mapping.to_y_up);
@@ -234,23 +231,24 @@ Clip as_recorded(const Recording& recording, const BodyMapping& mapping) {
   clip.name = recording.name;
   clip.body = mapping.body;
   clip.frames_per_second = recording.frames_per_second;
+  const bool has_fingers = mapping.hands.any() && !are_fingers_unrecorded(recording, mapping.hands);
   for (const JointTransforms& frame : motion.frames) {
     Pose pose;
     pose.root_position = mapping.metres_per_unit * motion.point(frame, Pelvis);
     pose.rotations = local_rotations(motion, frame, mapping);
+    if (has_fingers) pose.fingers = finger_rotations(motion, frame, mapping.hands);
     clip.poses.push_back(std::move(pose));
   }
   return clip;
 }
 
 void check_joints(const Recording& recording, const BodyMapping& mapping) {
-  for (const MappedJoint& joint : mapping.joints) {
-    for (int rig_joint : joint.group) {
-      if (rig_joint < recording.skeleton.size()) continue;
-      throw Error(Place{recording.name}, "its joints differ from those of the calibrated rig",
-                  "use the recording without calibration");
-    }
-  }
+  int last = *std::max_element(mapping.hands.joints.begin(), mapping.hands.joints.end());
+  for (const MappedJoint& joint : mapping.joints)
+    for (const int rig_joint : joint.group) last = std::max(last, rig_joint);
+  if (last < recording.skeleton.size()) return;
+  throw Error(Place{recording.name}, "its joints differ from those of the calibrated rig",
+              "use the recording without calibration");
 }
 
 void warn_of_sloping_floor(BodyMapping& mapping, const Recording& recording) {
@@ -270,11 +268,14 @@ void level(Clip& clip, const Quat& levelling) {
   }
 }
 
+void follow_hemispheres(const std::vector<Quat>& before, std::vector<Quat>& now) {
+  for (size_t j = 0; j < now.size(); ++j) now[j] = in_hemisphere_of(before[j], now[j]);
+}
+
 void make_continuous(std::vector<Pose>& poses) {
   for (size_t t = 1; t < poses.size(); ++t) {
-    for (int j = 0; j < body_joint_count; ++j) {
-      poses[t].rotations[j] = in_hemisphere_of(poses[t - 1].rotations[j], poses[t].rotations[j]);
-    }
+    follow_hemispheres(poses[t - 1].rotations, poses[t].rotations);
+    follow_hemispheres(poses[t - 1].fingers, poses[t].fingers);
   }
 }
 
@@ -305,9 +306,11 @@ BodyMapping recognise(std::span<const Recording> recordings) {
   }
   const bool is_nameless = mapping.rig == rig_by_topology;
   if (is_nameless && goes_on_all_fours(motions.front())) throw on_all_fours(first);
-  const Calibration calibration = calibrate(motions, zero_pose_of(first, up));
+  const ZeroPose zero_pose = zero_pose_of(first, up);
+  const Calibration calibration = calibrate(motions, zero_pose);
   mapping.calibration = calibration.to_body;
   mapping.body = calibration.body;
+  map_hands(mapping, motions, zero_pose);
   set_scale(mapping, first);
   warn_of_missing(mapping);
   for (const Recording& recording : recordings)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/rig/hand_mapping.h"
 #include "motion/rig/mapped_joint.h"
 #include "motion/skeleton/clip.h"
 #include "motion/skeleton/recording.h"
@@ -19,6 +20,7 @@ struct BodyMapping {
   MappedJoints joints;  ///< the rig joints of each canonical joint, with confidence
   /// A_j (calibration.h): global rotation of canonical joint = that of the rig joint · A_j.
   std::array<Quat, body_joint_count> calibration;
+  HandMapping hands = no_hands();   ///< the rig's fingers, where it has any
   Skeleton body;                    ///< canonical body with the subject's bone lengths, metres
   Quat to_y_up = Quat::Identity();  ///< rotation from the file's axes to +Y up
   std::string up = "+Y";            ///< the file's up axis: "+Y", "+Z", "-X", …
@@ -38,7 +40,8 @@ BodyMapping recognise(std::span<const Recording> recordings);
 
 /// The recording as a motion of the canonical body: +Y up, metres, the floor at y = 0; horizontal
 /// position and heading stay as recorded. Joint positions are those of the rig; exactly so where
-/// rig joints correspond one to one and have constant offsets.
+/// rig joints correspond one to one and have constant offsets. The poses have fingers if the rig
+/// has a hand (hand_mapping.h) whose fingers leave its zero pose in some frame.
 ///
 /// The floor is the level on which the lower foot stands (floor.h), so that a few noisy frames or
 /// dipping toes do not affect it. A sloping floor is levelled first. Toes that would penetrate the

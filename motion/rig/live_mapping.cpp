@@ -29,6 +29,8 @@ LiveMapping::LiveMapping(const Recording& calibration, const Recording& first) :
 Pose LiveMapping::operator()(const Pose& pose) {
   now_.poses.front() = pose;
   Pose mapped = std::move(to_body(now_, mapping_, floor_).poses.front());
+  // Whether fingers were recorded does not follow from one frame, and a stream keeps its joints.
+  mapped.fingers.clear();
   for (size_t j = 0; j < before_.rotations.size(); ++j) {
     mapped.rotations[j] = in_hemisphere_of(before_.rotations[j], mapped.rotations[j]);
   }

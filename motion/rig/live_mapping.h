@@ -19,8 +19,8 @@ class LiveMapping {
 
   const BodyMapping& mapping() const { return mapping_; }
 
-  /// Returns the next pose of the canonical body. Each quaternion has the sign with which its
-  /// dot product with that of the previous pose is not negative.
+  /// Returns the next pose of the canonical body, without fingers. Each quaternion has the sign
+  /// with which its dot product with that of the previous pose is not negative.
   Pose operator()(const Pose& pose);
 
  private:

@@ -8,6 +8,7 @@
 #include "motion/math/cubic_spline.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/clip_markers.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -124,6 +125,7 @@ Recording to_recording(const Clip& clip) {
   recording.skeleton = clip.body;
   recording.frames_per_second = clip.frames_per_second;
   recording.poses = clip.poses;
+  if (has_fingers(clip)) add_hands(recording);
   return recording;
 }
 

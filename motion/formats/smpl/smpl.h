@@ -60,12 +60,13 @@ PointRecording read_smpl_markers(const std::filesystem::path& path,
 PointRecording parse_smpl_markers(std::string_view bytes, const std::string& file_name,
                                   const ReadOptions& options = {});
 
-/// A motion of the canonical body (body.h) in the layout of AMASS (SMPL-H): `poses` T × 156 with
-/// the fingers at rest, `trans`, `betas` (16 zeros), `dmpls` (T × 8 zeros), `gender` "neutral" and
-/// `mocap_framerate`; +Z up, which was +Y. Rotations are those of our joints: Spine's that of
-/// spine1, Chest's that of spine3, and spine2 does not turn. `trans` is the position of the pelvis,
-/// since that of an SMPL model's pelvis at rest is not known: with a model, the figure as a whole
-/// is displaced by a constant. Bone lengths are not part of this format.
+/// A motion of the canonical body (body.h) in the layout of AMASS (SMPL-H): `poses` T × 156, with
+/// the fingers at rest if the recording has none, `trans`, `betas` (16 zeros), `dmpls` (T × 8
+/// zeros), `gender` "neutral" and `mocap_framerate`; +Z up, which was +Y. Rotations are those of
+/// our joints: Spine's that of spine1, Chest's that of spine3, and spine2 does not turn. `trans` is
+/// the position of the pelvis, since that of an SMPL model's pelvis at rest is not known: with a
+/// model, the figure as a whole is displaced by a constant. Bone lengths are not part of this
+/// format.
 ///
 /// Throws mien::Error if the recording's joints are not those of the canonical body or it has no
 /// poses. The same recording always produces the same bytes.

@@ -133,6 +133,16 @@ Skeleton smpl_skeleton(std::size_t joints) {
   return skeleton;
 }
 
+int smplh_joint_of_finger(int finger_joint) {
+  const auto place = std::find_if(fingers.begin(), fingers.end(), [&](const auto& each) {
+    return each.second == finger_of(finger_joint);
+  });
+  const auto first =
+      static_cast<int>(body_parts.size()) + (is_left_finger(finger_joint) ? 0 : joints_per_hand);
+  return first + static_cast<int>(place - fingers.begin()) * joints_per_finger +
+         segment_of(finger_joint);
+}
+
 int smpl_joint_of(int body_joint) {
   const auto part = std::find_if(body_parts.begin(), body_parts.end(),
                                  [&](const BodyPart& one) { return one.body_joint == body_joint; });

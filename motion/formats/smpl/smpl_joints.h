@@ -27,6 +27,9 @@ std::string_view smpl_layout_name(std::size_t joints);
 /// places of jaw and eyes are rounded numbers of ours that fit its hand of 0.17 m and its head.
 Skeleton smpl_skeleton(std::size_t joints);
 
+/// Index of a finger joint (hand.h) in `smpl_skeleton(52)`.
+int smplh_joint_of_finger(int finger_joint);
+
 /// Index of a canonical joint (body.h) in `smpl_skeleton`; Chest is spine3, Spine is spine1.
 int smpl_joint_of(int body_joint);
 

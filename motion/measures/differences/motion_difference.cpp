@@ -26,10 +26,14 @@ bool equal_places(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return std::ranges::equal(a, b);
 }
 
+bool equal_rotations(const std::vector<Quat>& a, const std::vector<Quat>& b) {
+  return std::ranges::equal(a, b,
+                            [](const Quat& p, const Quat& q) { return p.coeffs() == q.coeffs(); });
+}
+
 bool equal_poses(const Pose& a, const Pose& b) {
   return a.root_position == b.root_position && equal_places(a.offsets, b.offsets) &&
-         std::ranges::equal(a.rotations, b.rotations,
-                            [](const Quat& p, const Quat& q) { return p.coeffs() == q.coeffs(); });
+         equal_rotations(a.rotations, b.rotations) && equal_rotations(a.fingers, b.fingers);
 }
 
 bool equal_joints(const Joint& a, const Joint& b) {

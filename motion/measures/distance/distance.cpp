@@ -7,7 +7,9 @@
 
 #include "motion/math/rotation.h"
 #include "motion/measures/distance/hand_tip_distance.h"
+#include "motion/measures/distance/hands_distance.h"
 #include "motion/skeleton/hand_tip.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -123,6 +125,23 @@ double distance_with_hand_tips(const Example& target, const Example& created, Al
     }
   }
   return sum / (distance_times * (distance_joints + 2));
+}
+
+std::optional<double> hands_distance(const Example& target, const Example& created) {
+  if (!has_fingers(target.clip) || !has_fingers(created.clip)) return std::nullopt;
+  const std::vector<double> marks = shared_marks(target, created);
+  const auto tips = [&](const Example& motion, double share) {
+    return fingertips(motion.clip.body, pose_at(motion.clip, marked_time(motion, marks, share)));
+  };
+  double sum = 0.0;
+  for (int t = 0; t < distance_times; ++t) {
+    const double share = t / (distance_times - 1.0);
+    const auto of_target = tips(target, share);
+    const auto of_created = tips(created, share);
+    for (size_t tip = 0; tip < of_target.size(); ++tip)
+      sum += (of_target[tip] - of_created[tip]).norm() / static_cast<double>(of_target.size());
+  }
+  return sum / distance_times;
 }
 
 std::array<double, distance_joints> Distance::by_joint() const {

@@ -2,6 +2,7 @@
 
 #include "motion/math/filter.h"
 #include "motion/rig/body_mapping.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -19,6 +20,28 @@ std::vector<JointSummary> joints_of(const Recording& recording, const BodyMappin
     joints.push_back(std::move(summary));
   }
   return joints;
+}
+
+std::vector<HandSummary> hands_of(const Recording& recording, const HandMapping& mapping,
+                                  bool is_recorded) {
+  std::vector<HandSummary> hands;
+  for (const bool left : {true, false}) {
+    if (!mapping.has(left)) continue;
+    HandSummary& hand = hands.emplace_back();
+    hand.is_left = left;
+    hand.is_recorded = is_recorded;
+    for (int j = 0; j < finger_joint_count; ++j) {
+      if (is_left_finger(j) != left) continue;
+      const int rig_joint = mapping.joints[static_cast<size_t>(j)];
+      if (rig_joint < 0) {
+        hand.missing.push_back(finger_joint_name(j));
+        continue;
+      }
+      hand.joints.push_back(
+          {finger_joint_name(j), recording.skeleton.joints[static_cast<size_t>(rig_joint)].name});
+    }
+  }
+  return hands;
 }
 
 /// Length of the pelvis' path on the floor, without the sway of single steps, by its duration.
@@ -72,6 +95,7 @@ MotionSummary summarise(const Recording& recording) {
   summary.rig = rig.human->rig;
   summary.confidence = rig.human->confidence;
   summary.joints = joints_of(recording, *rig.human);
+  summary.hands = hands_of(recording, rig.human->hands, has_fingers(clip));
   summary.height_m = standing_height(rig.human->body);
   summary.warnings = rig.human->warnings;
   summary.speed_m_s = mean_speed(clip);

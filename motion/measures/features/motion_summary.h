@@ -16,6 +16,20 @@ struct JointSummary {
   std::string found_by;                 ///< "name", "topology", "end site", "missing"
 };
 
+/// A finger joint (hand.h) and the joint of the file that it follows.
+struct FingerJointSummary {
+  std::string joint;      ///< "LeftIndex1"
+  std::string rig_joint;  ///< name in the file
+};
+
+/// The recognition of one hand in a rig.
+struct HandSummary {
+  bool is_left = false;
+  std::vector<FingerJointSummary> joints;  ///< recognised, in the order of hand.h
+  std::vector<std::string> missing;        ///< canonical names; empty if the rig has no such hand
+  bool is_recorded = false;  ///< whether fingers move or are bent; else hands are shown at ease
+};
+
 /// The contents of `mien motion info`.
 struct MotionSummary {
   int frames = 0;
@@ -28,6 +42,7 @@ struct MotionSummary {
   std::string rig;                       ///< rig family; "unknown" if not human
   double confidence = 0.0;
   std::vector<JointSummary> joints;  ///< of the canonical body; empty if not human
+  std::vector<HandSummary> hands;    ///< those that the rig has, the left one first
   double height_m = 0.0;             ///< standing height of the skeleton; 0 if not human
   double unit_m = 1.0;               ///< metres per unit of the file
   std::string up;                    ///< "+Y", "+Z", …

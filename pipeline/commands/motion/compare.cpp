@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "motion/examples/flight_examples.h"
 #include "motion/formats/motion_file.h"
 #include "motion/measures/distance/hand_tip_distance.h"
+#include "motion/measures/distance/hands_distance.h"
 #include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/motion/motion.h"
 
@@ -120,14 +122,20 @@ int compare(const CompareOptions& options, const Console& console) {
                     chosen_person(target_file), chosen_person(created_file)};
   const double with_tips =
       options.hand_tips ? motion::distance_with_hand_tips(target, created, alignment) : 0.0;
+  const std::optional<double> hands = motion::hands_distance(target, created);
   if (options.json) {
     ordered_json json = as_json(distance, basis);
     if (options.hand_tips) json["D_with_hand_tips"] = with_tips;
+    json["hands_m"] = nullptr;
+    if (hands) json["hands_m"] = *hands;
     console.out << json.dump(2) << '\n';
   } else {
     show_text(distance, basis, console);
     if (options.hand_tips)
       console.out << fmt::format("D with the tips of both hands: {:.4f} m\n", with_tips);
+    if (hands)
+      console.out << fmt::format("hands    {:.4f} m between fingertips, seen from the wrists\n",
+                                 *hands);
   }
   return exit_done;
 }
@@ -158,7 +166,9 @@ Command motion_compare_command() {
               "Walks are compared over their steadiest gait cycle, keytime by keytime; motions "
               "without a cycle are compared over their whole duration. D is the mean distance of "
               "20 joints at "
-              "11 times. Two motions match if D is below 0.06 m, the distance that ends a trial "
+              "11 times. Where both have fingers, hands is the mean distance of ten fingertips, "
+              "seen from their wrists; it is not part of D. Two motions match if D is below 0.06 "
+              "m, the distance that ends a trial "
               "of a published matching task; this threshold is not a measure of "
               "perceptibility.\n\n"
               "Example:\n"

@@ -120,14 +120,16 @@ Command motion_convert_command() {
   const auto options = std::make_shared<ConvertOptions>();
   return {.name = "convert",
           .summary = "Convert a motion to another format",
-          .options = all_of(argument("in", &options->in, "Motion file"),
-                            argument("out", &options->out,
-                                     "File to write: " + motion::formats_written() +
-                                         "; in metres with +Y up, except that BVH made from BVH or "
-                                         "AMC keeps their unit and axes"),
-                            recording_options(options->recording),
-                            flag("--body", &options->body,
-                                 "Map it onto the canonical body: 21 joints, metres, +Y up")),
+          .options = all_of(
+              argument("in", &options->in, "Motion file"),
+              argument("out", &options->out,
+                       "File to write: " + motion::formats_written() +
+                           "; in metres with +Y up, except that BVH made from BVH or "
+                           "AMC keeps their unit and axes"),
+              recording_options(options->recording),
+              flag("--body", &options->body,
+                   "Map it onto the canonical body: 21 joints, and fingers if it has any; metres, "
+                   "+Y up")),
           .notes =
               "Points (C3D, TRC, tables, keypoints …) stay the recorded points, in their own axes "
               "and with their\ngaps, when they are written as .trc, .csv, .npy or *_motion.tsv; "

@@ -56,6 +56,16 @@ ordered_json as_json(const motion::JointSummary& joint) {
           {"confidence", rounded(joint.confidence)}};
 }
 
+ordered_json as_json(const motion::HandSummary& hand) {
+  ordered_json joints = ordered_json::array();
+  for (const motion::FingerJointSummary& joint : hand.joints)
+    joints.push_back({{"joint", joint.joint}, {"from", joint.rig_joint}});
+  return {{"hand", hand.is_left ? "left" : "right"},
+          {"recorded", hand.is_recorded},
+          {"joints", joints},
+          {"missing", hand.missing}};
+}
+
 ordered_json as_json(const motion::MotionSummary& summary) {
   ordered_json mapping = ordered_json::array();
   for (const motion::JointSummary& joint : summary.joints) mapping.push_back(as_json(joint));
@@ -80,6 +90,8 @@ ordered_json as_json(const motion::MotionSummary& summary) {
     result["take"] = summary.take;
   }
   result["mapping"] = mapping;
+  result["hands"] = ordered_json::array();
+  for (const motion::HandSummary& hand : summary.hands) result["hands"].push_back(as_json(hand));
   result["warnings"] = summary.warnings;
   return result;
 }
@@ -89,6 +101,19 @@ void show_mapping(const motion::MotionSummary& summary, const Console& console) 
     console.out << fmt::format("  {:14} {:28} {:10} {:3.0f} %\n", joint.joint,
                                fmt::format("{}", fmt::join(joint.rig_joints, " + ")),
                                joint.found_by, 100.0 * joint.confidence);
+}
+
+/// "hands    left (15 finger joints) and right (12 finger joints)"
+void show_hands(const motion::MotionSummary& summary, const Console& console) {
+  if (summary.hands.empty()) return;
+  std::vector<std::string> hands;
+  for (const motion::HandSummary& hand : summary.hands)
+    hands.push_back(
+        fmt::format("{} ({} finger joints)", hand.is_left ? "left" : "right", hand.joints.size()));
+  console.out << fmt::format("hands    {}{}\n", fmt::join(hands, " and "),
+                             summary.hands.front().is_recorded
+                                 ? ""
+                                 : "; the fingers never leave their rest: nothing was recorded");
 }
 
 void show_cycles(const motion::MotionSummary& summary, const Console& console) {
@@ -150,6 +175,7 @@ void show_text(const motion::MotionSummary& summary, bool is_of_points,
     console.out << fmt::format("figure   {:.2f} m tall without soles, moving at {:.2f} m/s\n",
                                summary.height_m, summary.speed_m_s);
     if (!is_of_points) show_mapping(summary, console);
+    show_hands(summary, console);
     show_cycles(summary, console);
   }
   for (const std::string& warning : summary.warnings) console.out << "warning: " << warning << '\n';

@@ -16,6 +16,7 @@
 #include "motion/live/synthesis.h"
 #include "motion/rig/body_mapping.h"
 #include "motion/rig/recording_clip.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "pipeline/manifest/named_motions.h"
 #include "pipeline/production/synthesis/modified_motion.h"
 #include "pipeline/production/synthesis/slider_interface.h"
@@ -130,6 +131,18 @@ void note_single_example(const Repertoire& repertoire, Synthesis& synthesis) {
       100.0 * weight, repertoire.names[static_cast<std::size_t>(largest)].name, count));
 }
 
+/// Some of the examples have fingers, but the motion has none.
+void note_lost_fingers(const motion::ExampleSet& examples, Synthesis& synthesis) {
+  if (motion::has_fingers(synthesis.motion.clip)) return;
+  const bool any = std::ranges::any_of(examples.examples, [](const motion::Example& example) {
+    return motion::has_fingers(example.clip);
+  });
+  if (any)
+    synthesis.notes.push_back(
+        "the fingers of its examples are left out: blends have fingers if all of their examples "
+        "have, and motions of a statistical model have none");
+}
+
 motion::SynthesisContext synthesis_context(const Interpolation& interpolation, const Output& output,
                                            const Repertoire& repertoire) {
   return {examples_for(interpolation, repertoire), interpolation, output.fps};
@@ -146,8 +159,10 @@ Synthesis as_synthesis(motion::SynthesizedMotion made) {
 
 Synthesis from_weights(const Eigen::VectorXd& weights, const Output& output,
                        const Interpolation& interpolation, const Repertoire& repertoire) {
-  return as_synthesis(motion::synthesize_from_weights(
-      weights, synthesis_context(interpolation, output, repertoire)));
+  const motion::SynthesisContext context = synthesis_context(interpolation, output, repertoire);
+  Synthesis result = as_synthesis(motion::synthesize_from_weights(weights, context));
+  note_lost_fingers(context.examples, result);
+  return result;
 }
 
 /// Records requested and held values, the values reached, and warnings about the deviations.
@@ -184,6 +199,7 @@ Synthesis from_parameters(const Stimulus& stimulus, const Repertoire& repertoire
   NamedValues reached = reached_parameters(stimulus, repertoire, made);
   Synthesis result = as_synthesis(std::move(made));
   result.warnings = std::move(warnings);
+  note_lost_fingers(examples_for(how, repertoire), result);
   record_request(stimulus, request, repertoire, std::move(reached), result);
   return result;
 }

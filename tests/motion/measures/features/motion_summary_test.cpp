@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/handed_rigs.h"
 #include "motion/other_rigs.h"
 #include "motion/synthetic_walk.h"
 
@@ -33,6 +34,32 @@ TEST(MotionSummary, TellsWhatWasRecognised) {
   ASSERT_GE(summary.cycles.size(), 6u);
   ASSERT_GE(summary.steadiest, 0);
   EXPECT_NEAR(summary.cycles[summary.steadiest].keytimes.back(), 1.0, 0.03);
+}
+
+TEST(MotionSummary, ListsTheJointsOfBothHands) {
+  std::mt19937_64 random(1);
+  HandedRig rig = handed_rig(hand_spellings().front());
+  const int missing = finger_joint(false, Finger::ring, 2);
+  for (int j = rig.joints[size_t(missing)]; j <= rig.joints[size_t(missing)] + 1; ++j)
+    rig.skeleton.joints[size_t(j)].name = "Part" + std::to_string(j);
+  Recording recording;
+  recording.skeleton = rig.skeleton;
+  std::vector<double> degrees;
+  recording.poses = {handed_pose(rig, random_bends(random, degrees), random)};
+  MotionSummary summary = summarise(recording);
+  ASSERT_EQ(summary.hands.size(), 2u);
+  EXPECT_TRUE(summary.hands[0].is_left);
+  EXPECT_TRUE(summary.hands[0].is_recorded);
+  EXPECT_EQ(summary.hands[0].joints.size(), 15u);
+  EXPECT_TRUE(summary.hands[0].missing.empty());
+  EXPECT_EQ(summary.hands[0].joints[3].joint, "LeftIndex1");
+  EXPECT_EQ(summary.hands[0].joints[3].rig_joint, "mixamorig:LeftHandIndex1");
+  EXPECT_EQ(summary.hands[1].joints.size(), 14u);
+  EXPECT_EQ(summary.hands[1].missing, std::vector<std::string>{"RightRing3"});
+  recording.poses = {handed_pose(rig, straight_fingers(), random)};
+  summary = summarise(recording);
+  EXPECT_FALSE(summary.hands[1].is_recorded);
+  EXPECT_TRUE(summarise(to_recording(synthetic_clip(steady_walk(1.2, 1.0)))).hands.empty());
 }
 
 TEST(MotionSummary, OfWhatIsNoHumanSaysWhy) {
