@@ -7,8 +7,8 @@
 
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/character/character.h"
-#include "scenes/figures/shown_hands.h"
 #include "scenes/figures/stick_figure.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/point_light/dot_display.h"
@@ -78,7 +78,7 @@ struct ActorBuilder {
     // Shared by the copies of the actor.
     const auto mannequin = std::make_shared<const LazyMannequin>(
         actor.clip.body, options, actor.colours, detail,
-        shows_fingers(actor.clip) ? MannequinHands::fingers : MannequinHands::one_piece);
+        motion::has_fingers(actor.clip) ? MannequinHands::fingers : MannequinHands::one_piece);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_mannequin(scene, mannequin->get(), self.clip.body,

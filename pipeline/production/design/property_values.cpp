@@ -8,7 +8,6 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
-#include "pipeline/manifest/look/look_fields.h"
 #include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_record.h"
 #include "pipeline/production/film/film_shot.h"
@@ -34,13 +33,6 @@ std::string or_default(const std::string& options) { return options.empty() ? "d
 std::string camera(const Look& look) {
   const std::string options = camera_options(look);
   return options.empty() ? look.camera.view : look.camera.view + " " + options;
-}
-
-std::string figure_and_hands(const Look& look) {
-  const std::string options = figure_options(look);
-  if (look.hands == scenes::Hands::automatic) return or_default(options);
-  const std::string hands = "hands " + std::string(word_of(hands_words, look.hands));
-  return options.empty() ? hands : options + ", " + hands;
 }
 
 std::string colours(const Stimulus& stimulus) {
@@ -88,7 +80,7 @@ PropertyValues stated_properties(const Manifest& manifest, const Stimulus& stimu
   const auto [width, height] = stimulus.output.shown_size();
   PropertyValues values;
   at(values, "figure").text = scenes::kind_of(stimulus.look.figure).name;
-  at(values, "figure_options").text = figure_and_hands(stimulus.look);
+  at(values, "figure_options").text = or_default(figure_options(stimulus.look));
   at(values, "colours").text = colours(stimulus);
   at(values, "set").text = scene_name(stimulus.look);
   at(values, "camera").text = camera(stimulus.look);

@@ -70,8 +70,13 @@ std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
 std::string figure_options(const Look& look) {
   const OrderedJson figure =
       FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
-  if (figure.is_string()) return "";
-  const OrderedJson options = *figure.begin();
+  OrderedJson options = figure.is_string() ? OrderedJson() : *figure.begin();
+  if (look.hands != scenes::Hands::automatic) {
+    const std::string hands(word_of(hands_words, look.hands));
+    // A character has its file in place of options.
+    if (options.is_string()) options = {{"file", options}};
+    options["hands"] = hands;
+  }
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 

@@ -10,8 +10,8 @@
 #include "motion/rig/proportions.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/hand.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/character/character_glb.h"
-#include "scenes/figures/shown_hands.h"
 #include "scenes/mannequin/mannequin.h"
 
 namespace mien::pipeline {
@@ -53,7 +53,7 @@ std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion
   if (const auto* mannequin = mannequin_in(figure))
     return fmt::format("mannequin {} {} {} {}{}", mannequin->build, mannequin->sex,
                        static_cast<int>(role), key_of(clip.body),
-                       scenes::shows_fingers(clip) ? "with fingers" : "");
+                       motion::has_fingers(clip) ? "with fingers" : "");
   const fs::path* file = scenes::file_of(figure);
   return file == nullptr ? "" : "character " + key_of(*file, clip.body);
 }
@@ -101,7 +101,7 @@ std::string mannequin_file(const scenes::MannequinOptions& options, scenes::Role
                            const motion::Clip& clip) {
   using scenes::MannequinHands;
   const MannequinHands hands =
-      scenes::shows_fingers(clip) ? MannequinHands::fingers : MannequinHands::one_piece;
+      motion::has_fingers(clip) ? MannequinHands::fingers : MannequinHands::one_piece;
   return to_glb(scenes::make_mannequin(clip.body, options, scenes::colours_of(role),
                                        scenes::MeshDetail::full, hands),
                 clip.body);
@@ -129,7 +129,7 @@ StudioFigure StudioFigures::fitted_figure(const scenes::Figure& figure, scenes::
     const CachedCharacter cached = character(*own, clip.body);
     fitted_figure.joints = cached->rig.size();
     fitted_figure.poses = rig_poses(*cached, clip);
-  } else if (scenes::shows_fingers(clip)) {
+  } else if (motion::has_fingers(clip)) {
     const motion::Skeleton handed = motion::with_fingers(clip.body);
     fitted_figure.joints = handed.size();
     fitted_figure.poses = handed_poses(handed, clip);
