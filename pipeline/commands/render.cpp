@@ -188,6 +188,11 @@ std::vector<CommandOption> look_options(LookOptions& look) {
                  "Of a character: neutral, hidden, weights (\"happy: 0.6\"), or a file of weights "
                  "(.csv, .glb)")
               .with_default("neutral"),
+          option("--hands", &look.hands,
+                 "Fingers: auto (where the motion has them), drawn (otherwise relaxed hands) or "
+                 "hidden")
+              .one_of({"auto", "drawn", "hidden"})
+              .with_default(),
           option("--scene", &look.scene,
                  "studio, void, treadmill, corridor, lab-grid or a file (my.set.yaml; see mien "
                  "sets); default: studio, or void for point-light figures and markers")};

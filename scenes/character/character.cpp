@@ -188,6 +188,7 @@ Character character_of(CharacterParts parts) {
   character.joints = mapping.joints;
   character.body = mapping.body;
   character.bind_rotations = bind_rotations_of(recording, mapping);
+  character.fingers = character_fingers(mapping);
   transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
   check_meshes(parts.file, character);
   for (SkinnedMesh& mesh : character.meshes) cluster_triangles(mesh);
@@ -351,6 +352,7 @@ motion::JointTransforms rig_pose(const Character& character, const motion::Pose&
   const auto pelvis = static_cast<size_t>(character.joints[motion::Pelvis].position);
   const Vec3 shift = body.positions[motion::Pelvis] - now.positions[pelvis];
   for (Vec3& position : now.positions) position += shift;
+  bend_fingers(character.fingers, character.rig, pose.fingers, now);
   return now;
 }
 

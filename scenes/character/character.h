@@ -10,6 +10,7 @@
 #include "motion/rig/body_mapping.h"
 #include "motion/skeleton/clip.h"
 #include "render/scene/scene.h"
+#include "scenes/character/character_fingers.h"
 #include "scenes/character/face_control.h"
 #include "scenes/skinning/skinned_model.h"
 
@@ -31,6 +32,8 @@ struct Character {
   /// Rotation of each joint of the body in the bind pose, world space; identities if that is a
   /// T-pose.
   std::array<motion::Quat, motion::body_joint_count> bind_rotations;
+
+  CharacterFingers fingers;
 
   /// Depth of the mesh's soles below those of the body (motion/skeleton/sole.h) in the rest pose,
   /// metres.
@@ -85,7 +88,8 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 /// World transforms of the rig's joints in a pose of the character's body; rotations are relative
 /// to the bind pose. Rig joints that correspond to a joint of the body rotate with it; all others
 /// follow their parent, and those above the pelvis follow the pelvis. The twist of toes, head and
-/// hands is limited (leaf_twist.h).
+/// hands is limited (leaf_twist.h). Fingers have those of the pose, or that of the bind pose if it
+/// has none.
 motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
 
 /// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the

@@ -2,15 +2,12 @@
 
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/hand.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::scenes {
 
-bool shows_fingers(const motion::Clip& clip) {
-  return !clip.poses.empty() && !clip.poses.front().fingers.empty();
-}
-
 bool gets_relaxed_hands(const motion::Clip& clip, Hands hands) {
-  return hands == Hands::drawn && !shows_fingers(clip) && motion::is_body(clip.body);
+  return hands == Hands::drawn && !motion::has_fingers(clip) && motion::is_body(clip.body);
 }
 
 motion::Clip with_shown_hands(motion::Clip clip, Hands hands) {

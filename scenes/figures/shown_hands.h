@@ -11,9 +11,6 @@ enum class Hands {
   hidden      ///< never: each hand is one piece
 };
 
-/// Whether figures in the poses of a clip have fingers.
-bool shows_fingers(const motion::Clip& clip);
-
 /// Whether a clip gets relaxed hands because its motion has no fingers.
 bool gets_relaxed_hands(const motion::Clip& clip, Hands hands);
 

@@ -107,4 +107,19 @@ SignedDistance without_hands(const Flesh& flesh, const motion::JointTransforms& 
   };
 }
 
+void smooth_seams(Surface& surface, const Flesh& flesh, const motion::JointTransforms& pose,
+                  double scale) {
+  constexpr double near_wrist = 0.10;  // metres at a hand of 0.189 m
+  constexpr double step = 5e-4;
+  const std::array<std::size_t, 2> wrists = {motion::LeftWrist, motion::RightWrist};
+  for (const std::size_t wrist : wrists) {
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+      const Vec3& point = surface.positions[v];
+      if ((point - pose.positions[wrist]).norm() > near_wrist * scale) continue;
+      surface.normals[v] = field_normal(
+          [&](const Vec3& place) { return signed_distance(flesh, place); }, point, step);
+    }
+  }
+}
+
 }  // namespace mien::scenes

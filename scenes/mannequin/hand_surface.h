@@ -23,4 +23,9 @@ Surface hand_surface(const Flesh& flesh, const motion::JointTransforms& pose, bo
 /// to the wrist, below it from there on.
 SignedDistance without_hands(const Flesh& flesh, const motion::JointTransforms& pose, double scale);
 
+/// Gives the surface the normals of the flesh near the wrists, so that no shading shows where one
+/// surface gives way to the other.
+void smooth_seams(Surface& surface, const Flesh& flesh, const motion::JointTransforms& pose,
+                  double scale);
+
 }  // namespace mien::scenes

@@ -117,6 +117,7 @@ Surface surface_of(const Flesh& flesh, const motion::Skeleton& body,
     append(surface, largest_component(hand_surface(flesh, bind, left, scale,
                                                    is_draft ? draft_hand_cells : HandCells())));
   }
+  smooth_seams(surface, flesh, bind, scale);
   return surface;
 }
 

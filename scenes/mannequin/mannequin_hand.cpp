@@ -102,7 +102,7 @@ struct HandBuilder {
       parts.push_back(cone(carpus, knuckle, 0.0150 * size, thick * size, 0.016 * size));
     }
     pad({0.046, -0.007, -0.031}, {0.040, 0.0150, 0.0165}, 0.014);
-    pad({0.088, -0.005, -0.008}, {0.019, 0.0125, 0.042}, 0.012);
+    pad({0.087, -0.005, -0.008}, {0.020, 0.0120, 0.038}, 0.012);
   }
 
   void add_finger(Finger finger) {

@@ -8,7 +8,7 @@
 #include "motion/error.h"
 #include "motion/math/random_number.h"
 #include "motion/skeleton/hand.h"
-#include "scenes/figures/shown_hands.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/point_light/dot_joints.h"
 
 namespace mien::scenes {
@@ -26,7 +26,7 @@ double uniform(std::uint64_t seed, const std::string& name, std::size_t index) {
 std::vector<Dot> joint_dots(const motion::Clip& clip, const std::vector<DotJoint>& joints) {
   std::vector<Dot> dots;
   for (const DotJoint& joint : joints) dots.push_back({joint.name, {}});
-  const bool has_hands = shows_fingers(clip);
+  const bool has_hands = motion::has_fingers(clip);
   const motion::Skeleton body = has_hands ? motion::with_fingers(clip.body) : clip.body;
   for (const motion::Pose& pose : clip.poses) {
     const motion::JointTransforms world =
@@ -291,7 +291,7 @@ std::vector<Dot> displayed_dots(std::vector<Dot> dots, const std::vector<Limb>& 
 
 std::vector<Dot> point_light(const motion::Clip& clip, const PointLightOptions& options,
                              const DotStage& stage) {
-  const std::vector<DotJoint> joints = dot_joints(clip.body, shows_fingers(clip), options);
+  const std::vector<DotJoint> joints = dot_joints(clip.body, motion::has_fingers(clip), options);
   std::vector<Limb> limbs;
   for (std::size_t d = 0; d < joints.size(); ++d) {
     if (joints[d].limb >= 0) limbs.push_back({d, static_cast<std::size_t>(joints[d].limb)});

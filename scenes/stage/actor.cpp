@@ -7,6 +7,7 @@
 
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/character/character.h"
 #include "scenes/character/character_face.h"
 #include "scenes/character/hidden_face.h"
@@ -84,7 +85,7 @@ struct ActorBuilder {
     // Shared by the copies of the actor.
     const auto mannequin = std::make_shared<const LazyMannequin>(
         actor.clip.body, options, actor.colours, detail,
-        shows_fingers(actor.clip) ? MannequinHands::fingers : MannequinHands::one_piece);
+        motion::has_fingers(actor.clip) ? MannequinHands::fingers : MannequinHands::one_piece);
     actor.draw = [mannequin](render::Scene& scene, const Actor& self, int frame,
                              const render::Camera&) {
       add_mannequin(scene, mannequin->get(), self.clip.body,

@@ -1,9 +1,12 @@
 #include "skinned_gltf.h"
 
+#include <cctype>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include "motion/math/rotation.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::test {
 
@@ -56,10 +59,11 @@ struct Boxes {
   std::vector<std::uint16_t> corners;
 };
 
-/// A box from `from` to `to`, a few centimetres thick.
+/// A box from `from` to `to`, a few centimetres thick, or as thick as a finger.
 void add_box(Boxes& boxes, const Vec3& from, const Vec3& to, int joint, double unit) {
   const Vec3 along = to - from;
-  const Vec3 side = along.unitOrthogonal() * 0.02 * unit;
+  const double half_thickness = joint < motion::body_joint_count ? 0.02 : 0.007;
+  const Vec3 side = along.unitOrthogonal() * half_thickness * unit;
   const Vec3 up = along.normalized().cross(side);
   const auto first = static_cast<std::uint16_t>(boxes.positions.size() / 3);
   for (int c = 0; c < 8; ++c) {
@@ -202,6 +206,37 @@ std::vector<std::string> vrm_names() {
           "rightUpperArm", "rightLowerArm", "rightHand",     "leftUpperLeg",  "leftLowerLeg",
           "leftFoot",      "leftToes",      "rightUpperLeg", "rightLowerLeg", "rightFoot",
           "rightToes"};
+}
+
+std::vector<std::string> with_finger_names(std::vector<std::string> body, FingerNaming naming) {
+  constexpr std::string_view fingers[] = {"Thumb", "Index", "Middle", "Ring", "Little"};
+  constexpr std::string_view vrm_segments[] = {"Proximal", "Intermediate", "Distal"};
+  for (int joint = 0; joint < motion::finger_joint_count; ++joint) {
+    const bool left = motion::is_left_finger(joint);
+    const auto segment = static_cast<std::size_t>(motion::segment_of(joint));
+    std::string finger(fingers[static_cast<std::size_t>(motion::finger_of(joint))]);
+    const std::string number = std::to_string(segment + 1);
+    if (naming == FingerNaming::vrm) {
+      body.push_back((left ? "left" : "right") + finger + std::string(vrm_segments[segment]));
+      continue;
+    }
+    if (finger == "Little") finger = "Pinky";
+    if (naming == FingerNaming::mixamo) {
+      body.push_back("mixamorig:" + std::string(left ? "LeftHand" : "RightHand") + finger + number);
+      continue;
+    }
+    finger.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(finger.front())));
+    body.push_back((left ? "left_" : "right_") + finger + number);
+  }
+  return body;
+}
+
+std::vector<std::string> smpl_names() {
+  return {"pelvis",         "spine1",        "spine2",      "neck",       "head",
+          "left_collar",    "left_shoulder", "left_elbow",  "left_wrist", "right_collar",
+          "right_shoulder", "right_elbow",   "right_wrist", "left_hip",   "left_knee",
+          "left_ankle",     "left_foot",     "right_hip",   "right_knee", "right_ankle",
+          "right_foot"};
 }
 
 std::string two_pixels() {

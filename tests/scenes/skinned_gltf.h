@@ -10,8 +10,8 @@
 
 namespace mien::test {
 
-/// A skinned glTF figure for tests: a box round each bone of the canonical body, which follows its
-/// joint alone. Change `json` to break it.
+/// A skinned glTF figure for tests: a box round each bone of the canonical body, which may have
+/// fingers (motion::with_fingers), and follows its joint alone. Change `json` to break it.
 struct SkinnedGltf {
   nlohmann::json json;
   std::vector<unsigned char> buffer;
@@ -37,6 +37,13 @@ void add_face(SkinnedGltf& file);
 
 std::vector<std::string> mixamo_names();
 std::vector<std::string> vrm_names();
+std::vector<std::string> smpl_names();
+
+/// The spellings of finger joints in rigs.
+enum class FingerNaming { mixamo, vrm, smpl };
+
+/// Names of the body's joints, and of those of its hands.
+std::vector<std::string> with_finger_names(std::vector<std::string> body, FingerNaming naming);
 
 /// A picture of 2 × 1 pixels, red and green, as a data URI.
 std::string two_pixels();

@@ -6,6 +6,7 @@
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/figures/face.h"
 #include "scenes/figures/figure.h"
+#include "scenes/figures/shown_hands.h"
 #include "scenes/sets/set_plan.h"
 
 namespace mien::pipeline {
@@ -23,7 +24,8 @@ struct Look {
   std::filesystem::path scene_file;  ///< resolved; empty for a built-in set
   std::string background;            ///< "#rrggbb"; empty: the set's own background
   scenes::Figure figure;
-  scenes::Face face;  ///< of a character
+  scenes::Face face;                               ///< of a character
+  scenes::Hands hands = scenes::Hands::automatic;  ///< of figures of all kinds
   scenes::CameraSettings camera;
 
   scenes::SetPlan set;  ///< the set named scene_of(look), once it has been read by resolve_set

@@ -12,6 +12,7 @@
 #include "pipeline/manifest/look/face_checks.h"
 #include "pipeline/manifest/look/set_file.h"
 #include "scenes/character/character.h"
+#include "scenes/point_light/dot_joints.h"
 #include "scenes/stage/trail_figure.h"
 
 namespace mien::pipeline {
@@ -98,7 +99,11 @@ void check_figure(const Look& look, const std::string& path, const std::vector<s
     check_character(*character, member_path(path, "character"), list, characters);
   }
   if (const auto* dots = std::get_if<scenes::PointLightOptions>(&look.figure)) {
-    check_dots(*dots, member_path(path, "point-light"), joints, list);
+    const std::string own = member_path(path, "point-light");
+    check_dots(*dots, own, joints, list);
+    if (look.hands == scenes::Hands::hidden && scenes::has_dots_on_fingers(*dots))
+      list.add(member_path(own, "joints"), "hidden hands have no fingers for dots",
+               "omit hands: hidden, or the fingers");
   }
   if (const auto* markers = std::get_if<scenes::MarkersOptions>(&look.figure))
     check_markers(*markers, member_path(path, "markers"), list);

@@ -159,10 +159,15 @@ struct SceneForm {
 inline constexpr Words<Colours> colours_words = {{"neutral", Colours::neutral},
                                                  {"role", Colours::role}};
 
+inline constexpr Words<scenes::Hands> hands_words = {{"auto", scenes::Hands::automatic},
+                                                     {"drawn", scenes::Hands::drawn},
+                                                     {"hidden", scenes::Hands::hidden}};
+
 void fields_of(auto&& field, MaybeConst<Look> auto& look) {
   field.by("scene", look, concerns::picture, SceneForm());
   field.by("figure", look.figure, concerns::picture, FigureForm<scenes::Figure>());
   field.by("face", look.face, concerns::picture, FaceForm());
+  field("hands", look.hands, concerns::picture, hands_words);
   field.whole("camera", look.camera, concerns::picture);
   field("colours", look.colours, concerns::picture, colours_words);
 }

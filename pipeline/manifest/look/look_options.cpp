@@ -50,8 +50,8 @@ std::string yaml_of(const LookOptions& options) {
   const std::string face =
       is_face_file(options.face) ? "{file: '${MIEN_FACE}'}" : in_braces(options.face);
   const std::string given_face = options.face.empty() ? "" : "face: " + face + "\n";
-  return given_scene + "figure: " + figure + "\n" + given_face +
-         "camera: " + in_braces(options.camera) + "\n";
+  return given_scene + "figure: " + figure + "\n" + given_face + "hands: " + options.hands +
+         "\ncamera: " + in_braces(options.camera) + "\n";
 }
 
 json look_schema() {

@@ -14,6 +14,7 @@ namespace mien::pipeline {
 struct LookOptions {
   std::string scene;  ///< empty: the default of the figure's kind
   std::string figure = "stick";
+  std::string hands = "auto";
   std::string camera = "three-quarter";
   std::string face;  ///< empty: neutral
 };

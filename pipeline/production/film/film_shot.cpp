@@ -73,6 +73,7 @@ Output output_for(Output output, const scenes::SetPlan& set) {
 scenes::Look staged_look(const Look& look, const Output& output, std::uint64_t seed) {
   return {.set = staged_set(look),
           .figure = shown_figure(look),
+          .hands = look.hands,
           .camera = look.camera,
           .size = output.whole_size(),
           .window = output.window(),

@@ -44,6 +44,8 @@ constexpr OptionWords option_words[] = {
     {"presentation.fade_out", "a fade-out of {} s"},
     {"presentation.background", "cards, cross and blanks on grey {} (sRGB, 0 black, 1 white)"},
     {"look.colours", "figures coloured by {}"},
+    {"look.hands=drawn", "hands drawn with fingers, relaxed where a motion has none"},
+    {"look.hands=hidden", "hands drawn without fingers"},
     {"look.scene.background", "the background {}"},
     {"trail.figure.mannequin", "trails of mannequins"},
     {"figure.character", "the character of the file {}"},

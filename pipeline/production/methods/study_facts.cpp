@@ -70,13 +70,16 @@ std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
 std::string figure_options(const Look& look) {
   const OrderedJson figure =
       FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
+  OrderedJson options = figure.is_string() ? OrderedJson() : *figure.begin();
+  // A character has its file in place of options.
+  const auto add = [&](const char* name, const OrderedJson& value) {
+    if (options.is_string()) options = {{figure.begin().key(), options}};
+    options[name] = value;
+  };
   const OrderedJson face = FaceForm::write(look.face, WritingOptions{.for_key = true});
-  if (figure.is_string()) return "";
-  OrderedJson options = *figure.begin();
-  if (!face.is_null()) {
-    if (!options.is_object()) options = {{figure.begin().key(), options}};
-    options["face"] = face;
-  }
+  if (!face.is_null()) add("face", face);
+  if (look.hands != scenes::Hands::automatic)
+    add("hands", std::string(word_of(hands_words, look.hands)));
   return options.is_null() || options.empty() ? "" : options.dump();
 }
 

@@ -34,8 +34,8 @@ std::string person_facts(const Person& person);
 /// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 
-/// Return the options of a look's figure and of its camera, other than its view, that differ from
-/// the defaults, as JSON; empty if there are none.
+/// Return the options of a look's figure with its hands, and of its camera, other than its view,
+/// that differ from the defaults, as JSON; empty if there are none.
 std::string figure_options(const Look& look);
 std::string camera_options(const Look& look);
 

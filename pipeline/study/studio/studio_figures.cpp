@@ -10,6 +10,8 @@
 
 #include "motion/rig/proportions.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
 #include "scenes/mannequin/mannequin.h"
@@ -72,13 +74,14 @@ std::string key_of(const fs::path& file, const motion::Skeleton& body) {
   return fmt::format("{} {} {:.5f}", file.string(), time_of(file), motion::leg_length(body));
 }
 
-std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion::Skeleton& body) {
-  if (!motion::is_body(body)) return "";
+std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion::Clip& clip) {
+  if (!motion::is_body(clip.body)) return "";
   if (const auto* mannequin = mannequin_in(figure))
-    return fmt::format("mannequin {} {} {} {}", mannequin->build, mannequin->sex,
-                       static_cast<int>(role), key_of(body));
+    return fmt::format("mannequin {} {} {} {}{}", mannequin->build, mannequin->sex,
+                       static_cast<int>(role), key_of(clip.body),
+                       motion::has_fingers(clip) ? "with fingers" : "");
   const fs::path* file = scenes::file_of(figure);
-  return file == nullptr ? "" : "character " + key_of(*file, body) + key_of(face_in(figure));
+  return file == nullptr ? "" : "character " + key_of(*file, clip.body) + key_of(face_in(figure));
 }
 
 /// A digest of the key that reveals no path.
@@ -94,17 +97,40 @@ void put(std::string& bytes, double value) {
     bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xff));
 }
 
-std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
-  const motion::Clip fitted_figure = scenes::retargeted_to(character, clip);
+/// StudioFigure::poses of the joints that `joints_in` places in each pose.
+template <class JointsIn>
+std::string poses_of(const motion::Clip& clip, const JointsIn& joints_in) {
   std::string positions, rotations;
-  for (const motion::Pose& pose : fitted_figure.poses) {
-    const motion::JointTransforms rig = scenes::rig_pose(character, pose);
-    for (const motion::Vec3& position : rig.positions)
+  for (const motion::Pose& pose : clip.poses) {
+    const motion::JointTransforms joints = joints_in(pose);
+    for (const motion::Vec3& position : joints.positions)
       for (const double metres : position) put(positions, metres);
-    for (const motion::Quat& rotation : rig.rotations)
+    for (const motion::Quat& rotation : joints.rotations)
       for (const double number : rotation.coeffs()) put(rotations, number);
   }
   return positions + rotations;
+}
+
+std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
+  return poses_of(scenes::retargeted_to(character, clip),
+                  [&](const motion::Pose& pose) { return scenes::rig_pose(character, pose); });
+}
+
+/// Of the body and its hands.
+std::string handed_poses(const motion::Skeleton& handed, const motion::Clip& clip) {
+  return poses_of(clip, [&](const motion::Pose& pose) {
+    return motion::world_transforms(handed, motion::with_fingers(pose));
+  });
+}
+
+std::string mannequin_file(const scenes::MannequinOptions& options, scenes::Role role,
+                           const motion::Clip& clip) {
+  using scenes::MannequinHands;
+  const MannequinHands hands =
+      motion::has_fingers(clip) ? MannequinHands::fingers : MannequinHands::one_piece;
+  return to_glb(scenes::make_mannequin(clip.body, options, scenes::colours_of(role),
+                                       scenes::MeshDetail::full, hands),
+                clip.body);
 }
 
 }  // namespace
@@ -122,29 +148,33 @@ StudioFigures::CachedCharacter StudioFigures::character(const fs::path& file,
 
 StudioFigure StudioFigures::fitted_figure(const scenes::Figure& figure, scenes::Role role,
                                           const motion::Clip& clip) {
-  const std::string key = key_of(figure, role, clip.body);
+  const std::string key = key_of(figure, role, clip);
   if (key.empty()) return {};
   StudioFigure fitted_figure{.key = digest_of(key)};
   if (const fs::path* own = scenes::file_of(figure)) {
     const CachedCharacter cached = character(*own, clip.body);
     fitted_figure.joints = cached->rig.size();
     fitted_figure.poses = rig_poses(*cached, clip);
+  } else if (motion::has_fingers(clip)) {
+    const motion::Skeleton handed = motion::with_fingers(clip.body);
+    fitted_figure.joints = handed.size();
+    fitted_figure.poses = handed_poses(handed, clip);
   }
   return fitted_figure;
 }
 
 const std::string& StudioFigures::file(const std::string& key, const scenes::Figure& figure,
-                                       scenes::Role role, const motion::Skeleton& body) {
+                                       scenes::Role role, const motion::Clip& clip) {
   static const std::string none;
-  const std::string own = key_of(figure, role, body);
+  const std::string own = key_of(figure, role, clip);
   if (own.empty() || digest_of(own) != key) return none;
   for (const auto& [cached_key, file] : files_)
     if (cached_key == key) return file;
   const auto* options = mannequin_in(figure);
   files_.emplace_front(
       key, options != nullptr
-               ? to_glb(scenes::make_mannequin(body, *options, scenes::colours_of(role)), body)
-               : to_glb(scenes::with_still_face(*character(*scenes::file_of(figure), body),
+               ? mannequin_file(*options, role, clip)
+               : to_glb(scenes::with_still_face(*character(*scenes::file_of(figure), clip.body),
                                                 face_in(figure))));
   if (files_.size() > max_figure_files) files_.pop_back();
   return files_.front().second;

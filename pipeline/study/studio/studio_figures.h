@@ -18,8 +18,8 @@ struct StudioFigure {
   /// Identifies the GLB file; empty: the page uses its own figure.
   std::string key;
 
-  int joints = 0;  ///< number of joints of a GLB file with joints of its own; 0 if its joints are
-                   ///< those of the body
+  int joints = 0;  ///< number of joints of a GLB file with joints of its own, which those of hands
+                   ///< are too; 0 if its joints are those of the body
 
   /// World-space poses of these joints as in the film; empty if `joints` is 0. Little-endian f32:
   /// positions (frames × joints × 3, metres), then rotations as quaternions (frames × joints × 4:
@@ -31,16 +31,16 @@ struct StudioFigure {
 /// recent files. Not thread-safe.
 class StudioFigures {
  public:
-  /// The figure of a clip, with its poses. Point-light figures, stick figures and non-human bodies
-  /// have no GLB file. A trail has the figure of its body. Throws Error if a character cannot be
-  /// read.
+  /// The figure of a clip with the fingers that are shown, and its poses. Point-light figures,
+  /// stick figures and non-human bodies have no GLB file. A trail has the figure of its body.
+  /// Throws Error if a character cannot be read.
   StudioFigure fitted_figure(const scenes::Figure& figure, scenes::Role role,
                              const motion::Clip& clip);
 
   /// The GLB file of a figure (skinned_glb.h); empty if the figure has no file or its key is not
   /// `key`. Throws Error.
   const std::string& file(const std::string& key, const scenes::Figure& figure, scenes::Role role,
-                          const motion::Skeleton& body);
+                          const motion::Clip& clip);
 
  private:
   using CachedCharacter = std::shared_ptr<const scenes::Character>;

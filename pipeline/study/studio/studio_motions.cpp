@@ -158,9 +158,10 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const st
     if (cached_key == key) return cached;
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
-  shown_cache_.emplace_front(key, stimulus == nullptr
-                                      ? Shown{shown_figure(manifest.look)}
-                                      : Shown{shown_figure(stimulus->look), stimulus->role});
+  shown_cache_.emplace_front(
+      key, stimulus == nullptr
+               ? Shown{shown_figure(manifest.look), manifest.look.hands}
+               : Shown{shown_figure(stimulus->look), stimulus->look.hands, stimulus->role});
   if (shown_cache_.size() > max_motions) shown_cache_.pop_back();
   return shown_cache_.front().second;
 }
@@ -177,7 +178,8 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
           distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
     const Synthesis& synthesis = motion->synthesis;
     const Shown on = shown(document, show);
-    const StudioFigure figure = figures_.fitted_figure(on.figure, on.role, synthesis.motion.clip);
+    const StudioFigure figure = figures_.fitted_figure(
+        on.figure, on.role, scenes::with_shown_hands(synthesis.motion.clip, on.hands));
     const ordered_json weights = synthesis.weights.size() == 0
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
@@ -206,7 +208,8 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
   try {
     const Shown on = shown(document, show);
     const CachedMotion motion = made(document, show);
-    return figures_.file(key, on.figure, on.role, motion->synthesis.motion.clip.body);
+    return figures_.file(key, on.figure, on.role,
+                         scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands));
   } catch (const Error& error) {
     throw as_fault("", error);
   }

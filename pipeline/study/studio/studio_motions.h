@@ -14,6 +14,7 @@
 #include "pipeline/study/studio/studio_figures.h"
 #include "scenes/figures/figure.h"
 #include "scenes/figures/figure_colour.h"
+#include "scenes/figures/shown_hands.h"
 
 namespace mien::pipeline {
 
@@ -64,6 +65,7 @@ class StudioMotions {
   /// The figure of a motion and its role in the film.
   struct Shown {
     scenes::Figure figure;
+    scenes::Hands hands = scenes::Hands::automatic;
     scenes::Role role = scenes::Role::neutral;
   };
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/bent_fingers.h"
 #include "scenes/figures/stick_figure.h"
 #include "scenes/stage/shot.h"
@@ -22,7 +23,7 @@ motion::Clip walk() { return test::walking_clip(5, Vec3::UnitZ(), 0.04); }
 motion::Clip gesture() {
   motion::Clip clip = walk();
   for (std::size_t f = 0; f < clip.poses.size(); ++f)
-    clip.poses[f].fingers = test::random_fingers(static_cast<std::uint32_t>(f));
+    clip.poses[f].fingers = mien::test::random_fingers(static_cast<std::uint32_t>(f));
   return clip;
 }
 
@@ -55,18 +56,18 @@ TEST(ShownHands, AreThoseOfTheMotionUnlessTheyAreHidden) {
   const motion::Clip clip = gesture();
   for (const Hands hands : {Hands::automatic, Hands::drawn}) {
     const motion::Clip shown = with_shown_hands(clip, hands);
-    EXPECT_TRUE(shows_fingers(shown));
+    EXPECT_TRUE(motion::has_fingers(shown));
     EXPECT_FALSE(gets_relaxed_hands(clip, hands));
     for (std::size_t f = 0; f < clip.poses.size(); ++f)
       for (std::size_t j = 0; j < clip.poses[f].fingers.size(); ++j)
         EXPECT_TRUE(shown.poses[f].fingers[j].isApprox(clip.poses[f].fingers[j]));
   }
-  EXPECT_FALSE(shows_fingers(with_shown_hands(clip, Hands::hidden)));
+  EXPECT_FALSE(motion::has_fingers(with_shown_hands(clip, Hands::hidden)));
 }
 
 TEST(ShownHands, AreRelaxedOnRequestOnly) {
-  EXPECT_FALSE(shows_fingers(with_shown_hands(walk(), Hands::automatic)));
-  EXPECT_FALSE(shows_fingers(with_shown_hands(walk(), Hands::hidden)));
+  EXPECT_FALSE(motion::has_fingers(with_shown_hands(walk(), Hands::automatic)));
+  EXPECT_FALSE(motion::has_fingers(with_shown_hands(walk(), Hands::hidden)));
   const motion::Clip drawn = with_shown_hands(walk(), Hands::drawn);
   EXPECT_TRUE(gets_relaxed_hands(walk(), Hands::drawn));
   for (const motion::Pose& pose : drawn.poses)
@@ -74,7 +75,7 @@ TEST(ShownHands, AreRelaxedOnRequestOnly) {
   motion::Clip lamp;
   lamp.body.joints = {{.name = "base"}, {.name = "shade", .parent = 0, .offset = Vec3(0, 1, 0)}};
   lamp.poses.resize(2);
-  EXPECT_FALSE(shows_fingers(with_shown_hands(lamp, Hands::drawn)));
+  EXPECT_FALSE(motion::has_fingers(with_shown_hands(lamp, Hands::drawn)));
 }
 
 TEST(ShownHands, ThatAreHiddenLeaveTheFigureOfAMotionWithoutFingers) {

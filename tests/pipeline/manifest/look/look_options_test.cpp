@@ -49,6 +49,23 @@ TEST(LookOptions, TakeNamesAndOptionsWithOrWithoutBraces) {
   EXPECT_EQ(look.camera.fov_degrees, 30.0);
 }
 
+TEST(LookOptions, HandsAreThoseOfTheMotionUnlessStated) {
+  EXPECT_EQ(look_of({}).hands, scenes::Hands::automatic);
+  EXPECT_EQ(look_of({.hands = "drawn"}).hands, scenes::Hands::drawn);
+  EXPECT_EQ(look_of({.hands = "hidden"}).hands, scenes::Hands::hidden);
+  EXPECT_NE(faults_of_options({.hands = "gloved"}).find("--hands"), std::string::npos);
+}
+
+TEST(LookOptions, HiddenHandsHaveNoDotsOnFingers) {
+  for (const char* dots :
+       {"point-light: {joints: hands}", "point-light: {joints: [LeftThumbTip]}"}) {
+    EXPECT_EQ(faults_of_options({.figure = dots}), "");
+    EXPECT_EQ(faults_of_options({.figure = dots, .hands = "hidden"}),
+              "--figure.point-light.joints: hidden hands have no fingers for dots; omit hands: "
+              "hidden, or the fingers");
+  }
+}
+
 TEST(LookOptions, FormerNamesAreUnderstoodWithAWarning) {
   std::vector<Fault> warnings;
   const Look look = pipeline::look_of({.figure = "trail: {faintest: 0.3}"}, warnings);

@@ -116,6 +116,29 @@ TEST_F(MethodsSettings, TellEveryOptionOfFilmsThatTheSchemaKnows) {
   EXPECT_GT(options, 100);
 }
 
+TEST_F(MethodsSettings, StateHandsThatAreNotTheMotions) {
+  const auto methods_with = [](const std::string& hands) {
+    return methods_for("mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {hands: " +
+                       hands + "}\nstimuli: [{id: a, weights: {sad: 1}}]\n");
+  };
+  EXPECT_NE(methods_with("drawn").find("hands drawn with fingers, relaxed where a motion has none"),
+            std::string::npos);
+  EXPECT_NE(methods_with("hidden").find("hands drawn without fingers"), std::string::npos);
+  EXPECT_EQ(methods_with("auto").find("hands drawn"), std::string::npos);
+}
+
+TEST(StudyFacts, CountHandsAmongTheOptionsOfAFigure) {
+  Look look;
+  EXPECT_EQ(figure_options(look), "");
+  look.hands = scenes::Hands::drawn;
+  EXPECT_EQ(figure_options(look), R"({"hands":"drawn"})");
+  look.figure = scenes::MannequinOptions{.build = 0.25};
+  EXPECT_EQ(figure_options(look), R"({"build":0.25,"hands":"drawn"})");
+  look.figure = scenes::CharacterOptions{.file = "robot.glb"};
+  look.hands = scenes::Hands::hidden;
+  EXPECT_EQ(figure_options(look), R"({"character":"robot.glb","hands":"hidden"})");
+}
+
 constexpr char shown[] = R"(mien: 1
 study: s
 seed: 7

@@ -11,6 +11,7 @@
 
 #include "motion/formats/motion_file.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/hand.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/studio/studio_fixture.h"
@@ -77,6 +78,36 @@ TEST_F(Studio, GivesTheFigureThatIsShown) {
   EXPECT_NE(figure()["key"], heavy["key"]);
   asked["document"] = draft;
   EXPECT_EQ(post("figure", asked).status, 404);
+}
+
+TEST_F(Studio, GivesTheFingersOfAMannequinThatAreShown) {
+  ordered_json draft = document();
+  draft["look"] = {{"figure", "mannequin"}, {"hands", "drawn"}};
+  const HttpResponse response = post("motion", {{"document", draft}, {"show", "guess-1"}});
+  const ordered_json figure = head_of(response)["figure"];
+  constexpr int joints = motion::body_joint_count + motion::finger_joint_count;
+  ASSERT_EQ(figure["joints"], joints);
+  const HttpResponse file =
+      post("figure", {{"document", draft}, {"show", "guess-1"}, {"key", figure["key"]}});
+  EXPECT_NE(file.body.find("RightIndex2"), std::string::npos);
+
+  // The last frame's last finger joint, as the renderer has it.
+  const Manifest manifest = load_manifest(file_.file(), process_environment());
+  Motions motions(manifest);
+  const motion::Clip clip = motions.of("guess-1").motion.clip;
+  const motion::JointTransforms hands = motion::world_transforms(
+      motion::with_fingers(clip.body), motion::with_fingers(clip.poses.back()));
+  const std::size_t rotations = clip.poses.size() * static_cast<std::size_t>(4 * joints);
+  std::vector<float> last(3);
+  std::memcpy(last.data(), response.body.data() + response.body.size() - 4 * rotations - 12, 12);
+  EXPECT_LT(
+      (Eigen::Vector3f(last[0], last[1], last[2]).cast<double>() - hands.positions.back()).norm(),
+      1e-6);
+  draft["look"]["hands"] = "hidden";
+  const ordered_json hidden =
+      head_of(post("motion", {{"document", draft}, {"show", "guess-1"}}))["figure"];
+  EXPECT_EQ(hidden["joints"], 0);
+  EXPECT_NE(hidden["key"], figure["key"]);
 }
 
 TEST_F(Studio, MovesACharacterAsFilmsDo) {
