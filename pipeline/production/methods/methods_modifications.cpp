@@ -52,6 +52,11 @@ std::string recipe_book(MethodsText& out) {
                                                     : "mien's own, fitted to acted motions";
 }
 
+/// Whether a step changes how a motion is made, beyond parts that are frozen or placed and ends.
+bool has_modification(const ModificationStep& step) {
+  return !step.emotion.empty() || step.style || step.edit.pose || !step.edit.named.empty();
+}
+
 void describe_steps(MethodsText& out) {
   std::size_t modified = 0, reduced = 0;
   double least_share = 1.0;
@@ -60,7 +65,7 @@ void describe_steps(MethodsText& out) {
   Range strengths;
   for (const Stimulus* source : motion_sources(out.manifest)) {
     const Stimulus& stimulus = *source;
-    if (stimulus.modify.empty()) continue;
+    if (std::ranges::none_of(stimulus.modify, has_modification)) continue;
     ++modified;
     changed.push_back(stimulus.id);
     const double share = out.motions.of(stimulus.id).modified_share;
@@ -100,14 +105,65 @@ void describe_steps(MethodsText& out) {
   }
 }
 
+/// "the legs, head and left arm"
+std::string parts_text(const motion::Freezing& freeze) {
+  Names parts;
+  for (const motion::FrozenPart part : freeze.parts) {
+    std::string name(word_of(frozen_words, part));
+    std::ranges::replace(name, '-', ' ');
+    parts.push_back(std::move(name));
+  }
+  return "the " + listed(parts);
+}
+
+/// What became of the ends of a motion.
+std::string ends_text(const motion::MotionEnds& ends) {
+  if (ends.loops)
+    return "the motion was made a loop, by distributing the difference between its last and first "
+           "pose over it";
+  Names held;
+  if (ends.hold_before > 0.0)
+    held.push_back(fmt::format("the first pose was held for {:g} s", ends.hold_before));
+  if (ends.hold_after > 0.0)
+    held.push_back(fmt::format("the last pose was held for {:g} s", ends.hold_after));
+  return listed(held);
+}
+
+/// What holds for some stimuli, and their ids.
+using Cases = std::vector<std::pair<std::string, Names>>;
+
+void add_case(Cases& cases, const std::string& what, const std::string& id) {
+  const auto known = std::ranges::find(cases, what, &Cases::value_type::first);
+  if (known == cases.end())
+    cases.push_back({what, {id}});
+  else
+    known->second.push_back(id);
+}
+
+/// "In one stimulus (wave), the last pose was held for 1 s"
+void say_cases(const Cases& cases, MethodsText& out) {
+  for (const auto& [what, ids] : cases)
+    out.say(fmt::format("In {} ({}), {}", count_of(ids.size(), "stimulus", "stimuli"), listed(ids),
+                        what));
+}
+
 void describe_animation(MethodsText& out) {
   std::size_t keyed = 0, constrained = 0;
+  Cases frozen, ends;
   for (const Stimulus* source : motion_sources(out.manifest)) {
     const Stimulus& stimulus = *source;
     if (stimulus.modify.empty()) continue;
+    const ModificationStep& last = stimulus.modify.back();
+    if (!last.freeze.parts.empty())
+      add_case(frozen,
+               parts_text(last.freeze) + " did not move, in the pose of " +
+                   (last.freeze.at ? "one moment" : "the most typical moment"),
+               stimulus.id);
+    if (!last.ends.is_empty()) add_case(ends, ends_text(last.ends), stimulus.id);
     keyed += stimulus.modify.back().keys.empty() ? 0 : 1;
     constrained += stimulus.modify.back().constraints.empty() ? 0 : 1;
   }
+  say_cases(frozen, out);
   if (keyed > 0) {
     out.say("In " + count_of(keyed, "stimulus", "stimuli") +
             ", hands, feet, pelvis or gaze were placed at certain moments, by smooth displacement "
@@ -119,6 +175,7 @@ void describe_animation(MethodsText& out) {
             ", parts of the body fulfilled conditions between two moments" +
             out.cite({"gleicher1998"}));
   }
+  say_cases(ends, out);
 }
 
 void describe_foils(MethodsText& out) {
