@@ -30,11 +30,12 @@ FingerAngles finger_angles(const Pose& pose, int joint) {
 
 FingerRanges finger_ranges(int joint) {
   constexpr FingerRange narrow = {-15, 15};
+  constexpr FingerRange wide = {-80, 80};
   const int segment = segment_of(joint);
   if (finger_of(joint) == Finger::thumb) {
-    if (segment == 0) return {{-80, 80}, {-80, 80}};
-    if (segment == 1) return {{-20, 75}, {-25, 25}};
-    return {{-30, 95}, narrow};
+    if (segment == 0) return {wide, wide};
+    if (segment == 1) return {{-20, 75}, wide};
+    return {{-30, 95}, wide};
   }
   if (segment == 0) return {{-45, 95}, {-25, 25}};
   if (segment == 1) return {{-10, 115}, narrow};

@@ -25,10 +25,10 @@ struct FingerRanges {
 
 /// What hands can do, degrees. Flexion follows the norms of the American Academy of Orthopaedic
 /// Surgeons (Greene and Heckman 1994: knuckles 90, middle joints 100, last joints 90; thumb 50 and
-/// 80), extended to those of flexible people, and extension of the knuckles by 45; sideways,
-/// knuckles have 25 either way and the other joints of a finger almost nothing. The base of the
-/// thumb is a saddle joint, whose rest is placed differently by every rig: only 80 either way are
-/// too much.
+/// 80), extended to those of flexible people, and extension of the knuckles by 45. Sideways,
+/// knuckles have 25 either way and the other joints of a finger almost nothing. How a thumb is
+/// turned about itself differs between rigs, and so does where its base, a saddle joint, is at
+/// rest: there only 80 either way are too much.
 FingerRanges finger_ranges(int finger_joint);
 
 }  // namespace mien::motion

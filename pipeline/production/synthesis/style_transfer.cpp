@@ -9,6 +9,7 @@
 #include "motion/gait/gait_plants.h"
 #include "motion/modify/contacts_carried.h"
 #include "motion/rig/retarget.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "motion/style_transfer/displacement_map.h"
 #include "motion/style_transfer/drives.h"
 #include "motion/style_transfer/emotion_transform.h"
@@ -172,6 +173,16 @@ std::vector<double> timed(const std::vector<double>& times, const motion::Clip& 
   return moved;
 }
 
+/// Styles concern the body; fingers are those of the motion at the same moment.
+void carry_fingers(const motion::Clip& from, const std::vector<double>& source_frames,
+                   motion::Clip& to) {
+  if (!motion::has_fingers(from)) return;
+  for (std::size_t f = 0; f < to.poses.size(); ++f) {
+    const double seconds = source_frames[f] / from.frames_per_second;
+    to.poses[f].fingers = motion::pose_at(from, seconds).fingers;
+  }
+}
+
 std::vector<double> timed_keytimes(const motion::Example& motion, const motion::Clip& clip,
                                    const std::vector<double>& source_frames) {
   std::vector<double> keytimes = timed(motion.keytimes, motion.clip, clip, source_frames);
@@ -194,6 +205,7 @@ RestyledMotion restyled(const motion::Example& motion, const StyleStep& step, do
   if (made.source_frames.empty()) {
     made.source_frames = motion::even_source_frames(motion.clip, clip.frame_count());
   }
+  carry_fingers(motion.clip, made.source_frames, clip);
   const bool travels = !clip.loops || clip.cycle_displacement.norm() > least_travel_m;
   if (travels) note_other_gait(motion.clip, neutral, result.notes);
   if (step.feet && travels) {

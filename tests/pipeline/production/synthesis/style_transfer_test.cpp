@@ -1,6 +1,7 @@
 #include "pipeline/production/synthesis/style_transfer.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,11 @@
 #include "motion/examples/settled_feet.h"
 #include "motion/gait/gait.h"
 #include "motion/gait/loop.h"
+#include "motion/math/rotation.h"
 #include "motion/measures/distance/distance.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/finger_angles.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "motion/skeleton/straighten.h"
 #include "motion/synthetic_run.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
@@ -87,6 +91,28 @@ TEST_P(EveryStyleMethod, IsReadFromAManifest) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryStyleMethod, testing::ValuesIn(style_methods),
                          [](const auto& method) { return std::string(method.param.first); });
+
+TEST_P(EveryStyleMethod, KeepsTheFingersOfTheMotionAtTheirMoments) {
+  motion::Example handed = example("normal");
+  const auto count = static_cast<double>(handed.clip.frame_count());
+  const int joint = motion::finger_joint(true, motion::Finger::ring, 1);
+  for (std::size_t f = 0; f < handed.clip.poses.size(); ++f) {
+    const double phase = 2.0 * motion::pi * static_cast<double>(f) / count;
+    handed.clip.poses[f].fingers = motion::relaxed_fingers();
+    handed.clip.poses[f].fingers[static_cast<std::size_t>(joint)] =
+        motion::exp(0.4 * (1.0 - std::cos(phase)) * motion::flexion_axis(joint));
+  }
+  const RestyledMotion result =
+      restyled(handed, step_by(GetParam().second), 1.0, builtin_repertoire());
+  const motion::Clip& clip = result.motion.clip;
+  ASSERT_TRUE(motion::has_fingers(clip));
+  const auto bend_at = [&](std::size_t frame) {
+    return motion::finger_angles(clip.poses[frame], joint).flexion;
+  };
+  EXPECT_LT(bend_at(0), 8.0);
+  EXPECT_GT(bend_at(clip.poses.size() / 2), 38.0);
+  EXPECT_LT(bend_at(clip.poses.size() - 1), 8.0);
+}
 
 TEST(StyleTransfer, SaysWhichComponentsItSwapped) {
   const RestyledMotion result =

@@ -12,6 +12,7 @@
 #include "motion/interpolation/blend.h"
 #include "motion/math/rotation.h"
 #include "motion/measures/distance/distance.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/temporary_folder.h"
 
@@ -297,6 +298,33 @@ TEST(RealWalks, FeetStandStillInBlends) {
       EXPECT_LT(motion::planted_drift(made.motion.clip, plants), 0.005) << e << " " << n;
     }
   }
+}
+
+// Fingers are blended where all examples with weight have them.
+TEST(Synthesis, SaysThatFingersAreLeftOutWhereNotAllExamplesHaveThem) {
+  Repertoire repertoire = load_repertoire(builtin_manifest());
+  const auto made_of = [&](const NamedValues& weights) {
+    Stimulus stimulus;
+    stimulus.id = "a";
+    stimulus.weights = weights;
+    return synthesize(stimulus, repertoire);
+  };
+  const auto tells = [](const Synthesis& made) {
+    return std::ranges::any_of(made.notes, [](const std::string& note) {
+      return note.find("fingers of its examples are left out") != std::string::npos;
+    });
+  };
+  const std::string& first = repertoire.names[0].name;
+  const std::string& second = repertoire.names[1].name;
+  EXPECT_FALSE(tells(made_of({{first, 0.5}, {second, 0.5}})));
+  for (motion::ExampleSet* const set : {&repertoire.examples, &repertoire.settled})
+    for (motion::Pose& pose : set->examples[0].clip.poses) pose.fingers = motion::relaxed_fingers();
+  const Synthesis whole = made_of({{first, 1.0}});
+  EXPECT_FALSE(tells(whole));
+  EXPECT_TRUE(motion::has_fingers(whole.motion.clip));
+  const Synthesis mixed = made_of({{first, 0.5}, {second, 0.5}});
+  EXPECT_TRUE(tells(mixed));
+  EXPECT_FALSE(motion::has_fingers(mixed.motion.clip));
 }
 
 }  // namespace
