@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t most_weights = 20'000'000;  // 52 of them for 106 minutes at 60 a second
 
+constexpr double day = 86400.0;  // seconds
+
 enum class TimeColumn { seconds, frames, timecode };
 
 struct TimeWord {
@@ -136,10 +138,11 @@ void add_moment(const TableRows& rows, const Columns& columns, Moments& moments)
 /// The least usual rate with so many frames in a second; 60 without a whole second.
 double rate_of(const std::vector<Timecode>& codes) {
   constexpr double usual[] = {24.0, 25.0, 30.0, 50.0, 60.0};
-  const double first = codes.front().seconds, last = codes.back().seconds;
+  double span = codes.back().seconds - codes.front().seconds;
+  if (span < 0.0) span += day;  // it is past midnight
   double most = 0.0;
   for (const Timecode& code : codes) most = std::max(most, std::floor(code.frames));
-  const double least = last - first >= 2.0 ? most + 1.0 : 60.0;
+  const double least = span >= 2.0 ? most + 1.0 : 60.0;
   for (const double rate : usual)
     if (rate >= least) return rate;
   return least;
@@ -150,7 +153,6 @@ std::vector<double> seconds_of(const Moments& moments, const Columns& columns, d
   for (const Timecode& code : moments.codes) seconds.push_back(code.seconds + code.frames / rate);
   if (columns.kind == TimeColumn::frames)
     for (double& time : seconds) time /= rate;
-  constexpr double day = 86400.0;
   double shift = -seconds.front();
   double before = 0.0;
   for (double& time : seconds) {

@@ -23,6 +23,20 @@ void check_weights(const scenes::FaceWeights& weights, const std::string& path, 
   }
 }
 
+/// What stands beside `file`, or without it.
+void check_keys(const scenes::Face& face, const std::string& path, FaultList& list) {
+  const bool has_options = !face.take.empty() || face.start_s != 0.0 || face.frames_per_second;
+  if (face.file.empty() && has_options)
+    list.add(path, "take, start and fps are of a file of weights, which is missing",
+             "add file, or omit them");
+  if (face.file.empty() || face.weights.empty()) return;
+  const std::vector<std::string> options = {"file", "take", "start", "fps"};
+  for (const auto& [name, weight] : face.weights)
+    list.add_at_key(member_path(path, name), "a file already gives the weights",
+                    motion::nearest_word(name, options) ? motion::did_you_mean(name, options)
+                                                        : "omit it, or omit file");
+}
+
 void check_options(const scenes::Face& face, const std::string& path, FaultList& list) {
   const bool is_table = !scenes::is_gltf_file(face.file);
   if (is_table && !face.take.empty())
@@ -52,8 +66,9 @@ void check_file(const scenes::Face& face, const std::string& path, FaultList& li
 
 void check_face(const Look& look, const std::string& path, FaultList& list,
                 const CheckedFiles& characters) {
-  if (look.face.is_neutral()) return;
   const std::string own = member_path(path, "face");
+  check_keys(look.face, own, list);
+  if (look.face.is_neutral()) return;
   const std::filesystem::path* character = scenes::file_of(look.figure);
   if (character == nullptr) {
     list.add(list.was_given(own) ? own : member_path(path, "figure"),
@@ -68,8 +83,7 @@ void check_face(const Look& look, const std::string& path, FaultList& list,
              "export it with its morph targets, or omit face");
     return;
   }
-  check_weights(look.face.weights, own, list, checked->second);
-  if (look.face.file.empty()) return;
+  if (look.face.file.empty()) return check_weights(look.face.weights, own, list, checked->second);
   check_options(look.face, own, list);
   check_file(look.face, own, list, checked->second);
 }

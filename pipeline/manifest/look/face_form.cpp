@@ -1,5 +1,7 @@
 #include "pipeline/manifest/look/face_form.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "pipeline/base/reading/field_reader.h"
@@ -12,13 +14,23 @@ namespace {
 constexpr std::string_view hidden_word = "hidden";
 constexpr std::string_view neutral_word = "neutral";
 
+constexpr std::string_view file_options[] = {"file", "take", "start", "fps"};
+
 /// The options of a file of weights.
 void read_file(const DocumentValue& given, scenes::Face& face) {
-  const DocumentValue file{given.value["file"], member_path(given.path, "file"), given.context};
-  pipeline::read(file, face.file);
+  if (const nlohmann::json* file = member(given.value, "file"))
+    pipeline::read({*file, member_path(given.path, "file"), given.context}, face.file);
   assign(member(given.value, "take"), face.take);
   assign(member(given.value, "start"), face.start_s);
   assign(member(given.value, "fps"), face.frames_per_second);
+}
+
+/// The weights, which have all other names.
+void read_weights(const DocumentValue& given, scenes::Face& face) {
+  for (const std::string& name : written_order(given.value, given.path, given.context.places)) {
+    if (std::ranges::find(file_options, name) != std::end(file_options)) continue;
+    assign(&given.value[name], face.weights.emplace_back(name, 0.0).second);
+  }
 }
 
 }  // namespace
@@ -26,12 +38,9 @@ void read_file(const DocumentValue& given, scenes::Face& face) {
 void FaceForm::read(const DocumentValue& given, scenes::Face& face) {
   face = scenes::Face();
   face.is_hidden = given.value == hidden_word;
-  const nlohmann::json* file = member(given.value, "file");
-  if (file != nullptr && file->is_string()) {
-    read_file(given, face);
-  } else {
-    pipeline::read(given, face.weights);
-  }
+  if (!given.value.is_object()) return;
+  read_file(given, face);
+  read_weights(given, face);
 }
 
 OrderedJson FaceForm::write(const scenes::Face& face, const WritingOptions& how) {

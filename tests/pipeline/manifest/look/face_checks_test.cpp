@@ -92,15 +92,15 @@ TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
   const std::string figure = "figure: {character: face.gltf}, ";
   EXPECT_EQ(
       faults(figure + "face: {on: 0.5}"),
-      "m.yaml:4:46: look.face.on: the character's face has no \"on\"; did you mean \"one\"?\n");
+      "m.yaml:4:47: look.face.on: the character's face has no \"on\"; did you mean \"one\"?\n");
   EXPECT_EQ(faults("face: {one: 0.5}"),
             "m.yaml:4:14: look.face: the figure \"stick\" has no face; use the figure of a "
             "character's file, or face: neutral\n");
   EXPECT_EQ(faults(figure + "face: hidden", ", look: {figure: mannequin}"),
-            "m.yaml:5:57: stimuli[0].look.figure: the figure \"mannequin\" has no face; use the "
+            "m.yaml:5:56: stimuli[0].look.figure: the figure \"mannequin\" has no face; use the "
             "figure of a character's file, or face: neutral\n");
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: {one: 0.5}"),
-            "m.yaml:4:46: look.face: the character has no morph targets, by which its face could "
+            "m.yaml:4:47: look.face: the character has no morph targets, by which its face could "
             "move; export it with its morph targets, or omit face\n");
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: hidden"), "");
 }
@@ -108,34 +108,45 @@ TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
 TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
   const std::string figure = "figure: {character: face.gltf}, ";
   EXPECT_EQ(faults(figure + "face: {file: none.csv}"),
-            "m.yaml:4:52: look.face.file: there is no file none.csv; give a table of weights "
+            "m.yaml:4:53: look.face.file: there is no file none.csv; give a table of weights "
             "(.csv, .tsv), a glTF file, or an .npz file of SMPL-X; paths are taken from the "
             "manifest's folder\n");
   EXPECT_EQ(faults(figure + "face: {file: high.csv}"),
-            "m.yaml:4:52: look.face.file: high.csv:3:3: one: the weight 1.5 is not from 0 to 1; "
+            "m.yaml:4:53: look.face.file: high.csv:3:3: one: the weight 1.5 is not from 0 to 1; "
             "divide percentages by 100\n");
   EXPECT_EQ(faults(figure + "face: {file: tongue.csv}"),
-            "m.yaml:4:52: look.face.file: none of its names is one of the character's face; rename "
+            "m.yaml:4:53: look.face.file: none of its names is one of the character's face; rename "
             "its columns to one, other\n");
   EXPECT_EQ(faults(figure + "face: {file: frames.csv}"),
-            "m.yaml:4:52: look.face.file: frames.csv:1:1: the table counts frames without stating "
+            "m.yaml:4:53: look.face.file: frames.csv:1:1: the table counts frames without stating "
             "their rate; state the frames per second (fps)\n");
   EXPECT_EQ(faults(figure + "face: {file: rise.csv, take: Rise}"),
-            "m.yaml:4:68: look.face.take: only glTF files have takes; omit take\n");
+            "m.yaml:4:69: look.face.take: only glTF files have takes; omit take\n");
   EXPECT_EQ(faults(figure + "face: {file: face.gltf, fps: 30}"),
-            "m.yaml:4:68: look.face.fps: the times of a glTF file are in seconds; omit fps\n");
+            "m.yaml:4:69: look.face.fps: the times of a glTF file are in seconds; omit fps\n");
   EXPECT_EQ(
       faults(figure + "face: {file: face.gltf, take: Rize}"),
-      "m.yaml:4:52: look.face.file: face.gltf: no animation of a face is called \"Rize\"; did "
+      "m.yaml:4:53: look.face.file: face.gltf: no animation of a face is called \"Rize\"; did "
       "you mean \"Rise\"?\n");
 }
 
 TEST_F(FaceManifests, HaveWeightsFrom0To1) {
   const std::string figure = "figure: {character: face.gltf}, ";
-  const std::string high = faults(figure + "face: {one: 1.5}");
-  EXPECT_TRUE(high.starts_with("m.yaml:4:51: look.face.one: ")) << high;
+  EXPECT_EQ(faults(figure + "face: {one: 1.5}"),
+            "m.yaml:4:52: look.face.one: 1.5 is out of range; use a number from 0 to 1\n");
   const std::string word = faults(figure + "face: smiling");
   EXPECT_TRUE(word.starts_with("m.yaml:4:46: look.face: ")) << word;
+  const std::string text = faults(figure + "face: {one: much}");
+  EXPECT_TRUE(text.starts_with("m.yaml:4:52: look.face.one: must be a number")) << text;
+  EXPECT_EQ(faults(figure + "face: {file: rise.csv, strat: 1}"),
+            "m.yaml:4:63: look.face.strat: a file already gives the weights; did you mean "
+            "\"start\"?\n");
+  EXPECT_EQ(
+      faults(figure + "face: {file: rise.csv, one: 1}"),
+      "m.yaml:4:63: look.face.one: a file already gives the weights; omit it, or omit file\n");
+  EXPECT_EQ(faults(figure + "face: {take: Rise}"),
+            "m.yaml:4:46: look.face: take, start and fps are of a file of weights, which is "
+            "missing; add file, or omit them\n");
 }
 
 TEST_F(FaceManifests, AreInTheKeysOfFilms) {
