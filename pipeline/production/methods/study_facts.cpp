@@ -74,7 +74,7 @@ std::string figure_options(const Look& look) {
   if (look.hands != scenes::Hands::automatic) {
     const std::string hands(word_of(hands_words, look.hands));
     // A character has its file in place of options.
-    if (options.is_string()) options = {{"file", options}};
+    if (options.is_string()) options = {{figure.begin().key(), options}};
     options["hands"] = hands;
   }
   return options.is_null() || options.empty() ? "" : options.dump();

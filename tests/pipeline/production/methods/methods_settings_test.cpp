@@ -110,7 +110,7 @@ TEST(StudyFacts, CountHandsAmongTheOptionsOfAFigure) {
   EXPECT_EQ(figure_options(look), R"({"build":0.25,"hands":"drawn"})");
   look.figure = scenes::CharacterOptions{.file = "robot.glb"};
   look.hands = scenes::Hands::hidden;
-  EXPECT_EQ(figure_options(look), R"({"file":"robot.glb","hands":"hidden"})");
+  EXPECT_EQ(figure_options(look), R"({"character":"robot.glb","hands":"hidden"})");
 }
 
 constexpr char shown[] = R"(mien: 1
