@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::pipeline {
 
@@ -30,6 +31,25 @@ std::vector<LimbJoints> limbs_of_the_body() {
           {{Chest, RightClavicle, RightShoulder, RightElbow, RightWrist}, 0.045},
           {{Pelvis, LeftHip, LeftKnee, LeftAnkle, LeftToe}, 0.055},
           {{Pelvis, RightHip, RightKnee, RightAnkle, RightToe}, 0.055}};
+}
+
+/// A limb from the wrist to the tip of each finger.
+void add_fingers(const motion::Skeleton& body, const motion::Pose& pose, Figure& figure) {
+  constexpr double finger_width = 0.016;
+  const motion::Skeleton handed = motion::with_fingers(body);
+  const motion::JointTransforms world =
+      motion::world_transforms(handed, motion::with_fingers(pose));
+  for (int joint = 0; joint < motion::finger_joint_count; ++joint) {
+    const bool left = motion::is_left_finger(joint);
+    const auto j = static_cast<std::size_t>(motion::body_joint_count + joint);
+    if (motion::segment_of(joint) == 0) {
+      const Vec3& wrist = world.positions[left ? motion::LeftWrist : motion::RightWrist];
+      figure.push_back({{seen(wrist)}, finger_width, left});
+    }
+    figure.back().joints.push_back(seen(world.positions[j]));
+    if (const auto& tip = handed.joints[j].tip)
+      figure.back().joints.push_back(seen(world.positions[j] + world.rotations[j] * *tip));
+  }
 }
 
 void draw_head(Canvas& canvas, const Limb& limb, const FigureStyle& style,
@@ -65,9 +85,12 @@ Figure figure_of(const motion::Skeleton& body, const motion::Pose& pose) {
   for (const auto& [joints, width] : limbs_of_the_body()) {
     Limb limb{{}, width, motion::is_left(joints.back())};
     for (const motion::BodyJoint j : joints) limb.joints.push_back(seen(world.positions[j]));
-    if (joints.back() != motion::Head) limb.joints.push_back(tip_of(joints.back()));
+    const bool is_arm = joints.back() == motion::LeftWrist || joints.back() == motion::RightWrist;
+    const bool has_end = joints.back() != motion::Head && !(is_arm && !pose.fingers.empty());
+    if (has_end) limb.joints.push_back(tip_of(joints.back()));
     figure.push_back(std::move(limb));
   }
+  if (!pose.fingers.empty()) add_fingers(body, pose, figure);
   figure.push_back({{seen(world.positions[motion::Head]), tip_of(motion::Head)}, 0.2, false, true});
   std::ranges::stable_sort(figure, std::greater{}, &Limb::depth);  // painter's order
   return figure;

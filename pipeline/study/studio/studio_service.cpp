@@ -97,7 +97,7 @@ ordered_json modification() {
 }
 
 /// The options of a page beside examples and sliders: "sets" of examples, "recipes" (of the
-/// manifest, and what they do), "posture" (units and what they turn), "scenes", "cameras",
+/// manifest, and what they do), "posture" (units and what they turn), "scenes", "cameras", "hands",
 /// "figures" and, of these, "bodies", which have a surface.
 ordered_json studio_options(const ManifestFile& file) {
   return {{"sets", example_sets()},
@@ -106,6 +106,7 @@ ordered_json studio_options(const ManifestFile& file) {
           {"modification", modification()},
           {"scenes", set_names()},
           {"cameras", {"three-quarter", "front", "side", "follow", "orbit"}},
+          {"hands", {"auto", "drawn", "hidden"}},
           {"figures", scenes::figure_names<scenes::Figure>()},
           {"bodies", scenes::figure_names<scenes::BodyFigure>()}};
 }

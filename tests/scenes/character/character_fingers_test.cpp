@@ -151,6 +151,29 @@ TEST(ACharactersFingers, BendTowardsItsPalmHoweverTheHandWasModelled) {
   }
 }
 
+TEST(ACharactersFingers, CarryWhatHangsOnThem) {
+  motion::Skeleton rig = motion::with_fingers(body);
+  test::SkinnedGltfOptions options;
+  options.names = test::with_finger_names(test::mixamo_names(), FingerNaming::mixamo);
+  const int last = motion::body_joint_count + motion::finger_joint(true, Finger::index, 2);
+  const Vec3 tip = *rig.joints[static_cast<std::size_t>(last)].tip;
+  rig.joints.push_back({.name = "end", .parent = last, .offset = tip, .tip = Vec3(0.01, 0, 0)});
+  options.names.emplace_back("mixamorig:LeftHandIndex4");
+  const Character character =
+      scaled_to_body(parse_character(test::skinned_gltf(rig, options).text(), "figure.gltf"), body);
+  const motion::Pose pose = moved_pose(test::random_fingers(5));
+  const motion::JointTransforms posed_rig = rig_pose(character, pose);
+  const motion::JointTransforms hands =
+      motion::world_transforms(motion::with_fingers(body), motion::with_fingers(pose));
+  const auto at = [&](const char* name) {
+    return posed_rig.positions[static_cast<std::size_t>(motion::find_joint(character.rig, name))];
+  };
+  const auto j = static_cast<std::size_t>(last);
+  const Vec3 wanted = hands.positions[j] + hands.rotations[j] * tip -
+                      hands.positions[static_cast<std::size_t>(motion::LeftWrist)];
+  EXPECT_LT((at("mixamorig:LeftHandIndex4") - at("mixamorig:LeftHand") - wanted).norm(), 1e-4);
+}
+
 TEST(ACharactersFingers, StayAsModelledWithoutThoseOfAMotion) {
   const Character character = character_of(spellings[1], bind_with(test::random_fingers(3)));
   const motion::Pose pose = moved_pose({});

@@ -91,11 +91,12 @@ TEST(AMannequinsHands, LeaveNoGapAtTheWrist) {
         .x();
   };
   // Where either surface ends, it is inside the other.
-  int ends = 0;
+  int ends_of_hand = 0;
+  int ends_of_body = 0;
   for (const Vec3& point : hand.positions) {
     if (along(point) > -0.058) continue;
     EXPECT_LT(forearm(point), -5e-4);
-    ++ends;
+    ++ends_of_hand;
   }
   const std::size_t of_body = mannequin.mesh.positions.size() - 2 * hand.positions.size();
   for (std::size_t v = 0; v < of_body; ++v) {
@@ -103,9 +104,10 @@ TEST(AMannequinsHands, LeaveNoGapAtTheWrist) {
     if (mannequin.mesh.influences[v].front().joint != motion::LeftWrist || along(point) < 0.004)
       continue;
     EXPECT_LT(signed_distance(flesh, point), -5e-4);
-    ++ends;
+    ++ends_of_body;
   }
-  EXPECT_GT(ends, 50);
+  EXPECT_GT(ends_of_hand, 20);
+  EXPECT_GT(ends_of_body, 5);
 }
 
 TEST(AMannequinsHands, ReachTheirFingertipsInAnyPose) {
@@ -231,6 +233,27 @@ TEST(AMannequinsFingers, AreMovedByTheirOwnJoints) {
     }
   }
   EXPECT_GT(last_segments, 500);
+}
+
+TEST(AMannequinsFingers, AreStraightBetweenTheirJoints) {
+  const Mannequin mannequin = with_hands(motion::standard_body());
+  const auto& mesh = mannequin.mesh;
+  for (const Finger finger : {Finger::thumb, Finger::index, Finger::middle, Finger::ring}) {
+    const int joint = with_body(motion::finger_joint(true, finger, 1));
+    const Vec3& from = mannequin.bind.positions[static_cast<std::size_t>(joint)];
+    const Vec3& to = mannequin.bind.positions[static_cast<std::size_t>(joint) + 1];
+    const Vec3 along = (to - from).normalized();
+    int there = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      const Vec3 from_middle = mesh.positions[v] - 0.5 * (from + to);
+      if (std::abs(from_middle.dot(along)) > 0.003 || from_middle.norm() > 0.014) continue;
+      if (!is_of_finger(mannequin, v, true, finger)) continue;
+      EXPECT_EQ(mesh.influences[v].front().joint, joint);
+      EXPECT_GT(mesh.influences[v].front().weight, 0.95f);
+      ++there;
+    }
+    EXPECT_GT(there, 10);
+  }
 }
 
 TEST(AMannequin, WithHandsHasTheirJointsInItsFile) {

@@ -98,10 +98,11 @@ INSTANTIATE_TEST_SUITE_P(
              "m.yaml:4:16: look.figure: the motion of \"a\" is not a recording, so it has no "
              "markers; show a recording of markers (clip), or another figure, such as point-light"},
         Case{"hands: gloved",
-             "m.yaml:4:15: look.hands: \"gloved\" is not one of auto, drawn, hidden; choose one of "
-             "them"},
+             "m.yaml:4:15: look.hands: \"gloved\" is not one of the choices; use one of auto, "
+             "drawn, "
+             "hidden"},
         Case{"hands: hidden, figure: {point-light: {joints: [Head, LeftThumbTip]}}",
-             "m.yaml:4:55: look.figure.point-light.joints: hidden hands have no fingers for dots; "
+             "m.yaml:4:54: look.figure.point-light.joints: hidden hands have no fingers for dots; "
              "omit hands: hidden, or the fingers"},
         Case{"figure: {point-light: {joints: [LeftThumTip]}}",
              "m.yaml:4:40: look.figure.point-light.joints[0]: unknown joint \"LeftThumTip\"; did "

@@ -46,6 +46,7 @@ export function lookPanel(studio: Studio): HTMLElement {
       field("scene", studio.words.scenes, "studio"),
       field("camera", studio.words.cameras, "three-quarter"),
       field("figure", [...studio.words.figures, ...charactersOf(studio)], "stick"),
+      field("hands", studio.words.hands, "auto"),
       element("p", { class: "quiet" }, "The page shows the figure, the set's colours and the camera direction. A still "
         + "shows the final appearance."));
     if (Object.keys(own).length > 0) {

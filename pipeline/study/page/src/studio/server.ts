@@ -35,6 +35,7 @@ export interface Words {
   modification: Record<string, KeySchema>;
   scenes: string[];
   cameras: string[];
+  hands: string[];
   figures: string[];
   /** Of these, those with a surface. */
   bodies: string[];
