@@ -9,6 +9,7 @@
 #include "motion/error.h"
 #include "motion/gait/contact.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 
 namespace mien::motion {
 
@@ -68,6 +69,14 @@ std::vector<bool> frames_on_both_feet(const Clip& clip) {
   return both;
 }
 
+/// The fingers of an arm, if there are any.
+void hold_fingers(FrozenPart part, const Pose& held, Pose& pose) {
+  if (part != FrozenPart::left_arm && part != FrozenPart::right_arm) return;
+  for (std::size_t j = 0; j < pose.fingers.size(); ++j)
+    if (is_left_finger(static_cast<int>(j)) == (part == FrozenPart::left_arm))
+      pose.fingers[j] = held.fingers[j];
+}
+
 std::size_t most_typical_frame(const Clip& clip, FrozenPart part) {
   std::vector<double> distances(clip.poses.size(), 0.0);
   for (const BodyJoint joint : frozen_joints(part)) {
@@ -106,6 +115,7 @@ AnimatedClip with_frozen(const Clip& clip, const Freezing& freezing) {
         pose.rotations[static_cast<std::size_t>(joint)] =
             held.rotations[static_cast<std::size_t>(joint)];
       if (part == FrozenPart::legs) pose.root_position = held.root_position;
+      hold_fingers(part, held, pose);
     }
     if (part == FrozenPart::legs) frozen.clip.cycle_displacement = Vec3::Zero();
     frozen.remarks.push_back(std::string(part_of_body(part).stays) + ", in the pose at " +

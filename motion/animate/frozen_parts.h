@@ -28,8 +28,8 @@ bool is_frozen(const Freezing& freezing, BodyJoint joint);
 /// The motion with parts that do not move. Legs are frozen together with the pelvis, its place and
 /// its direction, so that the body stands where it is at that moment; a loop that travels then
 /// stays on the spot. Other parts keep the rotations of their joints: the trunk those of spine and
-/// chest, the head of neck and head, an arm of clavicle, shoulder, elbow and wrist. All other
-/// joints keep their own rotations relative to their parents.
+/// chest, the head of neck and head, an arm of clavicle, shoulder, elbow, wrist and fingers. All
+/// other joints keep their own rotations relative to their parents.
 ///
 /// The most typical pose is that of the frame whose joints of the part are nearest to their mean
 /// rotations, by the sum of squared angles; the direction of the pelvis about the vertical does not

@@ -16,19 +16,21 @@ namespace {
 constexpr int fewest_frames_of_a_loop = 4;
 
 int frames_of(double seconds, double frames_per_second) {
-  return static_cast<int>(std::lround(seconds * frames_per_second));
+  if (seconds <= 0.0) return 0;
+  return std::max(1, static_cast<int>(std::lround(seconds * frames_per_second)));
 }
 
 /// The largest angle of a joint between two poses, degrees; the direction of the body counts.
 double largest_turn_deg(const Pose& from, const Pose& to) {
   double largest = 0.0;
-  for (std::size_t j = 0; j < from.rotations.size(); ++j)
-    largest = std::max(largest, from.rotations[j].angularDistance(to.rotations[j]));
+  for (const auto joints : {&Pose::rotations, &Pose::fingers})
+    for (std::size_t j = 0; j < (from.*joints).size(); ++j)
+      largest = std::max(largest, (from.*joints)[j].angularDistance((to.*joints)[j]));
   return largest * 180.0 / std::numbers::pi;
 }
 
 AnimatedClip looping(const Clip& clip) {
-  if (clip.loops) return {clip, {}, {"loops already"}};
+  if (clip.loops) return {clip, {}, {"it loops already"}};
   const int last = clip.frame_count() - 1;
   if (last + 1 < fewest_frames_of_a_loop)
     throw Error("a motion of " + std::to_string(last + 1) + " frames is too short for a loop",
@@ -36,7 +38,7 @@ AnimatedClip looping(const Clip& clip) {
   const long degrees = std::lround(largest_turn_deg(clip.poses.front(), clip.poses.back()));
   return {closed_loop(clip, 0, last),
           {},
-          {"loops: its last and first pose, which differed by " + std::to_string(degrees) +
+          {"its last and first pose, which differed by " + std::to_string(degrees) +
            "° in the joint that differed most, were made the same"}};
 }
 

@@ -16,10 +16,10 @@ struct MotionEnds {
 };
 
 /// The motion with these ends. Poses are held for whole frames, the nearest number to the time
-/// asked for. A motion that goes on from its beginning becomes a loop (gait/loop.h, closed_loop):
-/// the difference between its last and first pose is distributed over the whole motion, which
-/// thereby is one frame shorter, and the way from its first to its last place is covered anew in
-/// each cycle. The remarks say how large that difference was.
+/// asked for, but one at least. A motion that goes on from its beginning becomes a loop
+/// (gait/loop.h, closed_loop): the difference between its last and first pose is distributed over
+/// the whole motion, which thereby is one frame shorter, and the way from its first to its last
+/// place is covered anew in each cycle. The remarks say how large that difference was.
 ///
 /// Throws mien::Error for a skeleton other than the canonical body, for a motion that is to be held
 /// but loops, and for one of fewer than four frames that is to loop. A motion that loops already is

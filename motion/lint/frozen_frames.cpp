@@ -46,17 +46,25 @@ double longest_frozen(const LintMotion& motion) {
 
 }  // namespace
 
+namespace {
+
+bool turns(const std::vector<Quat>& from, const std::vector<Quat>& to, double rate) {
+  for (size_t j = 0; j < to.size(); ++j) {
+    const Vec3 turn = log(from[j].conjugate() * to[j]);
+    if (rate * turn.norm() > take_limits.frozen_rad_s) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool is_frozen(const LintMotion& motion, int step) {
   const Pose& from = motion.clip.poses[step];
   const Pose& to = motion.clip.poses[step + 1];
   const double rate = motion.rate();
   const Vec3 way = rate * (to.root_position - from.root_position) + motion.floor;
   if (way.norm() > take_limits.frozen_m_s * motion.scale) return false;
-  for (size_t j = 0; j < to.rotations.size(); ++j) {
-    const Vec3 turn = log(from.rotations[j].conjugate() * to.rotations[j]);
-    if (rate * turn.norm() > take_limits.frozen_rad_s) return false;
-  }
-  return true;
+  return !turns(from.rotations, to.rotations, rate) && !turns(from.fingers, to.fingers, rate);
 }
 
 Findings find_frozen(const LintMotion& motion, const LintMotion* original) {

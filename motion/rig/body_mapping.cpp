@@ -224,6 +224,22 @@ void map_hands(BodyMapping& mapping, std::span<const RigMotion> motions, ZeroPos
     mapping.warnings.push_back(std::move(warning));
 }
 
+/// Whether fingers never move and are straight, as in files of programs that write joints of hands
+/// whether or not anything is known of them. Thumbs have no such direction.
+bool are_straight_and_still(const std::vector<Pose>& poses) {
+  constexpr double least_turn = 1e-6;
+  constexpr double bent = 10.0 * radians_per_degree;
+  for (int joint = 0; joint < finger_joint_count; ++joint) {
+    const auto j = static_cast<size_t>(joint);
+    const Quat& first = poses.front().fingers[j];
+    if (finger_of(joint) != Finger::thumb && angle_between(Quat::Identity(), first) > bent)
+      return false;
+    for (const Pose& pose : poses)
+      if (angle_between(first, pose.fingers[j]) > least_turn) return false;
+  }
+  return true;
+}
+
 /// The canonical body where the rig is: the floor neither levelled nor at y = 0.
 Clip as_recorded(const Recording& recording, const BodyMapping& mapping) {
   const RigMotion motion = rig_motion(recording, mapping.joints, mapping.to_y_up);
@@ -239,6 +255,8 @@ Clip as_recorded(const Recording& recording, const BodyMapping& mapping) {
     if (has_fingers) pose.fingers = finger_rotations(motion, frame, mapping.hands);
     clip.poses.push_back(std::move(pose));
   }
+  if (has_fingers && are_straight_and_still(clip.poses))
+    for (Pose& pose : clip.poses) pose.fingers.clear();
   return clip;
 }
 

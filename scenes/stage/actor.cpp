@@ -102,6 +102,8 @@ struct ActorBuilder {
     actor.height_m = figure_height(actor.clip);
     const auto face = std::make_shared<const FaceMotion>(
         *character, options.face, actor.clip.frame_count(), actor.clip.frames_per_second);
+    actor.has_hands =
+        std::ranges::any_of(character->fingers.joints, [](int joint) { return joint >= 0; });
     actor.warnings = character->warnings;
     actor.warnings.insert(actor.warnings.end(), face->warnings().begin(), face->warnings().end());
     actor.draw = [character, face](render::Scene& scene, const Actor& self, int frame,

@@ -32,6 +32,7 @@ struct Actor {
   std::optional<TrailOptions> trail;  ///< for figures that are shown in several poses
   std::vector<Dot> traces;            ///< dots whose paths a trail shows
   std::vector<std::string> warnings;  ///< of a character (Character::warnings)
+  bool has_hands = true;              ///< whether fingers of the clip can be seen
 
   /// Appends the figure's materials and solids at a frame of its clip, as seen from a camera. The
   /// result depends only on the arguments; expensive preparations are done once for all frames.

@@ -227,7 +227,10 @@ Actor actor_of(const Performance& one, const Look& look) {
   const PointLightOptions* dots = dots_in(figure);
   const bool shows_hands = dots == nullptr || has_dots_on_fingers(*dots);
   if (shows_hands && gets_relaxed_hands(one.clip, look.hands))
-    actor.warnings.emplace_back("The motion has no fingers; relaxed hands are drawn.");
+    actor.warnings.emplace_back(
+        actor.has_hands
+            ? "The motion has no fingers; relaxed hands are drawn."
+            : "The character's rig has no fingers; its hands stay as they are modelled.");
   return actor;
 }
 

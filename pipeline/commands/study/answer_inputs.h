@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/error.h"
+#include "pipeline/base/documents/fault.h"
 
 namespace mien::pipeline {
 

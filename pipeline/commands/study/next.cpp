@@ -113,7 +113,10 @@ FilmChoice film_choice(const NextCommand& command, const Manifest& manifest,
       manifest.examples.blendable, seed);
   choice.next =
       next_films(choice.candidates, choice.rated.scales,
-                 {.films = films, .aim = choice.aim, .answers = choice.rated.answers_per_film});
+                 {.films = films,
+                  .aim = choice.aim,
+                  .answers = choice.rated.answers_per_film,
+                  .planned = unanswered_rounds(manifest, repertoire, choice.space, rounds)});
   choice.rounds = film_rounds(choice.candidates, choice.rated.scales);
   return choice;
 }
@@ -218,6 +221,13 @@ int choose_next_films(const NextCommand& command, const AnswerInputs& inputs,
   choice.ids = round.questionnaire->stimuli.ids;
   const std::string yaml = checked_next_yaml(command, round, comment_of(command, choice, seed));
   console.out << film_report(choice);
+  if (const auto wanted = static_cast<std::size_t>(command.films.value_or(usual_next_count));
+      choice.next.films.size() < wanted)
+    console.err << fmt::format(
+        "note: {} films were asked for; all others differ by less than 0.3 standard deviations "
+        "from "
+        "those that are rated, planned or chosen\n",
+        wanted);
   write_file(command.out, yaml);
   console.out << command.out << '\n';
   write_next_tables(command, film_tables(choice), console);

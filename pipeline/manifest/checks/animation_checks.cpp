@@ -27,8 +27,11 @@ class AnimationChecker : public FaultList {
       const bool is_last = &step == &stimulus.modify.back();
       for (const char* list : {"freeze", "drives", "keys", "constraints", "ends"}) {
         if (is_last || !was_given(member_path(step.path, list))) continue;
-        add(member_path(step.path, list), "later steps would change what they place",
-            "move them to the last step");
+        const bool is_ends = std::string_view(list) == "ends";
+        add(member_path(step.path, list),
+            is_ends ? "later steps would change the ends"
+                    : "later steps would change what they place",
+            is_ends ? "move it to the last step" : "move them to the last step");
       }
       for (std::size_t i = 0; i < step.keys.size(); ++i)
         check_key(step.keys, i, element_path(member_path(step.path, "keys"), i));

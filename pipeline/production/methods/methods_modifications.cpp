@@ -119,8 +119,9 @@ std::string parts_text(const motion::Freezing& freeze) {
 /// What became of the ends of a motion.
 std::string ends_text(const motion::MotionEnds& ends) {
   if (ends.loops)
-    return "the motion was made a loop, by distributing the difference between its last and first "
-           "pose over it";
+    return "the motion was shown as a loop; if it did not loop, the difference between its last "
+           "and "
+           "first pose was distributed over it";
   Names held;
   if (ends.hold_before > 0.0)
     held.push_back(fmt::format("the first pose was held for {:g} s", ends.hold_before));
@@ -157,7 +158,7 @@ void describe_animation(MethodsText& out) {
     if (!last.freeze.parts.empty())
       add_case(frozen,
                parts_text(last.freeze) + " did not move, in the pose of " +
-                   (last.freeze.at ? "one moment" : "the most typical moment"),
+                   (last.freeze.at ? "one moment" : "a typical moment"),
                stimulus.id);
     if (!last.ends.is_empty()) add_case(ends, ends_text(last.ends), stimulus.id);
     keyed += stimulus.modify.back().keys.empty() ? 0 : 1;

@@ -22,7 +22,9 @@ void describe_looks(MethodsText& out) {
   for (const Stimulus* film : films_of(out.manifest)) {
     const Output& output = film->output;
     const auto [width, height] = output.shown_size();
-    add_once(figures, scenes::kind_of(film->look.figure).name);
+    if (film->people.empty()) add_once(figures, scenes::kind_of(film->look.figure).name);
+    for (const Person& person : film->people)
+      add_once(figures, scenes::kind_of(person.figure ? *person.figure : film->look.figure).name);
     add_once(scenes, scene_name(film->look));
     add_once(cameras, film->look.camera.view);
     add_once(sizes, fmt::format("{} × {}", width, height));

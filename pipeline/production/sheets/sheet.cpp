@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "motion/measures/distance/hands_distance.h"
 #include "pipeline/production/sheets/sheet_parts.h"
 
 namespace mien::pipeline {
@@ -54,9 +56,16 @@ std::string durations_text(const motion::Example& target, const motion::Example&
                      came - wanted);
 }
 
+std::string fingertips_text(const motion::Example& target, const motion::Example& created) {
+  const std::optional<double> apart = motion::hands_distance(target, created);
+  return apart ? fmt::format("fingertips {:.3f} m apart", *apart) : "";
+}
+
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created) {
-  return largest_distance_text(distance) + "  ·  " + durations_text(target, created);
+  const std::string fingertips = fingertips_text(target, created);
+  return largest_distance_text(distance) + "  ·  " + durations_text(target, created) +
+         (fingertips.empty() ? "" : "  ·  " + fingertips);
 }
 
 std::string sheet_as_pdf(const SheetContent& content) {

@@ -63,8 +63,12 @@ std::string largest_distance_text(const motion::Distance& distance);
 /// Returns "durations: target 2.07 s, created 1.40 s (-0.67 s)".
 std::string durations_text(const motion::Example& target, const motion::Example& created);
 
-/// Returns largest_distance_text and durations_text in one line: differences that the mean distance
-/// may hide.
+/// Returns "fingertips 0.034 m apart", seen from the wrists (motion/measures/distance); empty
+/// unless both motions have fingers.
+std::string fingertips_text(const motion::Example& target, const motion::Example& created);
+
+/// Returns largest_distance_text, durations_text and fingertips_text in one line: differences that
+/// the mean distance may hide, or does not contain.
 std::string beside_verdict(const motion::Distance& distance, const motion::Example& target,
                            const motion::Example& created);
 

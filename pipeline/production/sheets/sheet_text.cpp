@@ -93,10 +93,11 @@ void draw_verdict(Canvas& canvas, const SheetContent& content, const Box& box) {
   draw_gauge(canvas, content.distance, {left, box.y + 52.0, room, 5.0});
   const TextStyle small = {.size = 8.0, .colour = quiet_ink, .max_width = room};
   canvas.text({left, box.bottom() - 26.0}, largest_distance_text(content.distance), small);
-  canvas.text(
-      {left, box.bottom() - 16.0},
-      fmt::format("MPJPE {:.3f} m; D_sum {:.2f} m", content.distance.mpjpe, content.distance.sum),
-      small);
+  const std::string fingertips = fingertips_text(content.target.motion, content.created.motion);
+  canvas.text({left, box.bottom() - 16.0},
+              fmt::format("MPJPE {:.3f} m; D_sum {:.2f} m{}", content.distance.mpjpe,
+                          content.distance.sum, fingertips.empty() ? "" : "; " + fingertips),
+              small);
   canvas.text({left, box.bottom() - 6.0},
               durations_text(content.target.motion, content.created.motion), small);
 }

@@ -178,6 +178,20 @@ RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
   return study;
 }
 
+Eigen::MatrixXd unanswered_rounds(const Manifest& manifest, const Repertoire& repertoire,
+                                  const FilmSpace& space, const std::vector<Answers>& rounds) {
+  std::set<std::string> answered;
+  for (const Answers& round : rounds)
+    for (const Answer& answer : round.answers) answered.insert(answer.stimulus);
+  std::vector<Eigen::RowVectorXd> places;
+  for (const Stimulus& stimulus : manifest.stimuli)
+    if (round_in_name(stimulus.id) && !answered.contains(stimulus.id) && fault_of(stimulus).empty())
+      places.emplace_back(weights_of(stimulus, repertoire).transpose() * space.places);
+  Eigen::MatrixXd rows(static_cast<Index>(places.size()), space.places.cols());
+  for (std::size_t f = 0; f < places.size(); ++f) rows.row(static_cast<Index>(f)) = places[f];
+  return rows;
+}
+
 Manifest next_round(const Manifest& manifest, const FilmSpace& space,
                     const std::vector<FilmCandidate>& candidates, const NextFilms& next,
                     const std::string& name, int from) {

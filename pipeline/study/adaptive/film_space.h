@@ -39,6 +39,11 @@ RatedStudy rated_study(const Manifest& manifest, const Repertoire& repertoire,
                        const FilmSpace& space, const std::vector<Answers>& rounds,
                        const std::vector<std::string>& asked);
 
+/// Places of the films of earlier rounds ("round2-01") about which there are no answers, one row
+/// each.
+Eigen::MatrixXd unanswered_rounds(const Manifest& manifest, const Repertoire& repertoire,
+                                  const FilmSpace& space, const std::vector<Answers>& rounds);
+
 /// The manifest of the next round: that of the study so far, with the films as further stimuli,
 /// "round2-01", "round2-02" …, and with a questionnaire about these alone. They are numbered by the
 /// first round, from `from` on, whose names are free. `name`: of the study.

@@ -175,6 +175,11 @@ NextFilms next_films(const std::vector<FilmCandidate>& candidates,
   if (!options.aim.scale.empty() && aimed == nullptr)
     throw Error("no film is rated on " + options.aim.scale, "name a scale that has answers");
   std::vector<bool> taken = rated_already(places, rated, by, options.apart);
+  if (options.planned.rows() > 0) {
+    const MatrixXd planned = by.of(options.planned);
+    for (Index f = 0; f < planned.rows(); ++f)
+      mark_near(places, planned.row(f), options.apart, taken);
+  }
   assert(options.available.empty() || options.available.size() == taken.size());
   for (std::size_t c = 0; c < options.available.size(); ++c)
     taken[c] = taken[c] || !options.available[c];

@@ -51,6 +51,9 @@ struct NextOptions {
   /// Which candidates can be chosen; empty: all. What is learned counts at all of them, so that
   /// films of which nobody is asked, such as those of a later test of predictions, matter, too.
   std::vector<bool> available = {};
+  /// Parameters of films that are planned but not rated yet, one row each: neither they nor films
+  /// that are not `apart` from them are chosen.
+  Eigen::MatrixXd planned = {};
 };
 
 /// A film to rate next, with what its ratings are expected to be before it is rated.

@@ -98,12 +98,11 @@ TEST(Methods, TellFrozenPartsAndEndsWithoutModifications) {
       "  - {id: b, weights: {sad: 1}, modify: {freeze: {parts: head, at: 0.2}}}\n"
       "  - {id: c, path: [{walk: 2}], modify: {ends: {before: 0.5, after: 1}}}\n"
       "  - {id: d, path: [{walk: 3}], modify: {ends: {before: 0.5, after: 1}}}\n");
-  expect_in(
-      methods,
-      "In 1 stimulus (a), the legs and left arm did not move, in the pose of the most typical "
-      "moment.");
+  expect_in(methods,
+            "In 1 stimulus (a), the legs and left arm did not move, in the pose of a typical "
+            "moment.");
   expect_in(methods, "In 1 stimulus (b), the head did not move, in the pose of one moment.");
-  expect_in(methods, "In 1 stimulus (a), the motion was made a loop, by distributing");
+  expect_in(methods, "In 1 stimulus (a), the motion was shown as a loop; if it did not");
   expect_in(methods,
             "In 2 stimuli (c and d), the first pose was held for 0.5 s and the last pose was held "
             "for 1 s.");

@@ -119,6 +119,7 @@ TEST(AnimatedMotion, HoldsItsEndsWithoutFault) {
   EXPECT_NEAR(held.motion.keytimes.back(), held.motion.clip.duration_seconds(), 1e-9);
   EXPECT_EQ(described_modifications(stimulus), "first pose held for 0.5 s, last pose held for 1 s");
   // A loop instead.
+  stimulus.on_fault = OnFault::warn;
   stimulus.modify[0].ends = {.loops = true};
   const ModifiedMotion loop = modify_motion(walk, stimulus, {});
   EXPECT_TRUE(loop.motion.clip.loops);

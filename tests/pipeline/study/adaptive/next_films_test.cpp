@@ -224,6 +224,27 @@ TEST(NextFilms, AreChosenByTheirParametersAloneWhereNothingIsRated) {
   EXPECT_THROW(next_films(candidates, {}, {.aim = {.scale = "sad-happy"}}), Error);
 }
 
+TEST(NextFilms, AreApartFromThoseThatArePlanned) {
+  const auto candidates = film_candidates(random_places(6, 2), 40, true, 3);
+  const NextOptions options{.films = 3, .apart = 0.4};
+  const NextFilms first = next_films(candidates, {}, options);
+  NextOptions again = options;
+  again.planned.resize(3, 3);
+  for (Index f = 0; f < 3; ++f)
+    again.planned.row(f) = candidates[first.films[static_cast<std::size_t>(f)].candidate].place;
+  MatrixXd places(40, 3);
+  for (Index c = 0; c < 40; ++c) places.row(c) = candidates[static_cast<std::size_t>(c)].place;
+  const Standardisation by = standardisation_of(places);
+  const MatrixXd planned = by.of(again.planned);
+  places = by.of(places);
+  const NextFilms second = next_films(candidates, {}, again);
+  ASSERT_FALSE(second.films.empty());
+  for (const NextFilm& film : second.films)
+    for (Index f = 0; f < 3; ++f)
+      EXPECT_GE((places.row(static_cast<Index>(film.candidate)) - planned.row(f)).norm(),
+                0.4 * std::sqrt(3.0));
+}
+
 // Over twenty worlds, the best of four films is far nearer to the best that can be made than the
 // best of four random ones.
 TEST(NextFilms, AreChosenByExpectedImprovement) {
