@@ -56,26 +56,19 @@ std::vector<Fault> check_equalized(const Manifest& manifest, std::optional<Equal
 std::vector<Fault> check_looks(const Manifest& manifest) {
   const std::vector<std::string> joints = scenes::dot_joint_names(motion::standard_body());
   CheckedFiles characters;
-  // A face that all share is that of the characters among the figures.
-  const auto is_character = [](const scenes::Figure& figure) {
-    return scenes::file_of(figure) != nullptr;
+  // Where every stimulus has a character of its own, the common figure need not have the face.
+  const auto is_character = [](const Stimulus* film) {
+    return scenes::file_of(film->look.figure) != nullptr;
   };
-  const bool has_characters = std::ranges::any_of(films_of(manifest), [&](const Stimulus* film) {
-    return is_character(film->look.figure) ||
-           std::ranges::any_of(film->people, [&](const Person& person) {
-             return person.figure && is_character(*person.figure);
-           });
-  });
   Look common = manifest.look;
-  if (has_characters && !is_character(common.figure)) common.face = {};
+  if (scenes::file_of(common.figure) == nullptr &&
+      std::ranges::all_of(films_of(manifest), is_character))
+    common.face = {};
   std::vector<Fault> faults = check_look(common, "look", manifest.places, joints, characters);
   for (const Stimulus* film : films_of(manifest)) {
     const std::string path = member_path(film->path, "look");
-    Look shared = film->look;
-    if (!is_character(shared.figure) && !manifest.places.values.contains(member_path(path, "face")))
-      shared.face = {};
     if (manifest.places.values.contains(path))
-      append(faults, check_look(shared, path, manifest.places, joints, characters));
+      append(faults, check_look(film->look, path, manifest.places, joints, characters));
     for (const Person& person : film->people) {
       const std::string own = member_path(person.motion.path, "look");
       Look look = film->look;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "motion/gait/contact.h"
+#include "motion/handed_motion.h"
 #include "motion/math/rotation.h"
 #include "motion/refusal.h"
 
@@ -19,6 +21,22 @@ namespace {
 using namespace mien::test;
 
 bool is_leg(int joint) { return joint == Pelvis || joint >= LeftHip; }
+
+TEST(FrozenArms, HoldTheirFingers) {
+  std::mt19937_64 random(3);
+  const Clip walk = with_moving_fingers(walk_of(), random);
+  const Clip frozen = with_frozen(walk, {.parts = {FrozenPart::left_arm}}).clip;
+  for (std::size_t f = 0; f < walk.poses.size(); ++f) {
+    for (int joint = 0; joint < finger_joint_count; ++joint) {
+      const auto j = static_cast<std::size_t>(joint);
+      const Pose& expected = is_left_finger(joint) ? frozen.poses.front() : walk.poses[f];
+      EXPECT_EQ(frozen.poses[f].fingers[j].coeffs(), expected.fingers[j].coeffs());
+    }
+  }
+  EXPECT_EQ(largest_finger_turn(with_frozen(walk, {.parts = {FrozenPart::legs}}).clip.poses[9],
+                                walk.poses[9]),
+            0.0);
+}
 
 TEST(FrozenLegs, StandWhereTheyAreAndTheRestKeepsItsRotations) {
   const Clip walk = walk_of();

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/math/rotation.h"
 #include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 
 #include "animated_motions.h"
 
@@ -63,6 +65,21 @@ TEST(MotionEnds, OfALoopMeet) {
   EXPECT_LE(seam, widest);
   ASSERT_EQ(made.remarks.size(), 1u);
   EXPECT_NE(made.remarks[0].find("differed by"), std::string::npos);
+}
+
+TEST(MotionEnds, TellHowFarAFingerIsFromItsBeginning) {
+  Clip clip = some_walk();
+  for (Pose& pose : clip.poses) pose.fingers.assign(finger_joint_count, Quat::Identity());
+  clip.poses.back().fingers[4] = Quat(Eigen::AngleAxisd(170.0 * radians_per_degree, Vec3::UnitZ()));
+  const AnimatedClip made = with_ends(clip, {.loops = true});
+  ASSERT_EQ(made.remarks.size(), 1u);
+  EXPECT_NE(made.remarks[0].find("differed by 170°"), std::string::npos) << made.remarks[0];
+}
+
+TEST(MotionEnds, AreHeldForAFrameAtLeast) {
+  const Clip clip = some_walk();
+  const Clip held = with_ends(clip, {.hold_after = 0.01 / clip.frames_per_second}).clip;
+  EXPECT_EQ(held.frame_count(), clip.frame_count() + 1);
 }
 
 TEST(MotionEnds, OfWhatLoopsAreNeitherHeldNorChanged) {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
+
+#include "motion/handed_motion.h"
 
 #include "injected_faults.h"
 
@@ -19,6 +22,20 @@ Clip faulty_walk() {
   raise(clip, 60, 80, 0.06);
   leap(clip, Head, 15, 40.0, Vec3::UnitX());
   return clip;
+}
+
+// A body that stands still for two seconds while its fingers move is no frozen recording.
+TEST(Lint, TakesMovingFingersForAMotion) {
+  Clip clip = three_cycles(builtin_walks()[0]);
+  const auto frames = static_cast<std::size_t>(std::lround(2.0 * clip.frames_per_second));
+  clip.poses.insert(clip.poses.end(), frames, clip.poses.back());
+  const auto is_frozen = [](const Clip& given) {
+    return std::ranges::any_of(lint(given),
+                               [](const Finding& finding) { return finding.check == "frozen"; });
+  };
+  EXPECT_TRUE(is_frozen(clip));
+  std::mt19937_64 random(5);
+  EXPECT_FALSE(is_frozen(with_moving_fingers(clip, random)));
 }
 
 TEST(Lint, TellsItsFindingsInTheOrderOfItsRules) {

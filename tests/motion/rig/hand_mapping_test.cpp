@@ -48,6 +48,21 @@ void expect_bends(const Pose& pose, const std::vector<double>& degrees, const st
   }
 }
 
+TEST(HandMapping, TakesStraightFingersThatNeverMoveForNotRecorded) {
+  std::mt19937_64 random(11);
+  const HandedRig rig = handed_rig(hand_spellings().front(), random_twists(random));
+  std::vector<std::vector<Quat>> fingers(4, straight_fingers());
+  const auto has_any = [&](const Recording& recording) {
+    return has_fingers(to_body(in_random_frames(recording, random)));
+  };
+  EXPECT_FALSE(has_any(recording_of(rig, fingers, random)));
+  fingers[2][4] = Quat(Eigen::AngleAxisd(radians_per_degree, flexion_axis(4)));
+  EXPECT_TRUE(has_any(recording_of(rig, fingers, random)));  // one moves
+  std::vector<double> degrees;
+  fingers.assign(4, random_bends(random, degrees));
+  EXPECT_TRUE(has_any(recording_of(rig, fingers, random)));  // a fist that stays one
+}
+
 TEST(HandMapping, RecoversBendsInTheSpellingsOfAllFamiliesWhereverThePalmPointsAtRest) {
   std::mt19937_64 random(7);
   for (const HandSpelling& spelling : hand_spellings()) {

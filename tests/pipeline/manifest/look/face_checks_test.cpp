@@ -105,6 +105,15 @@ TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: hidden"), "");
 }
 
+TEST_F(FaceManifests, ShareAFaceThatTheFiguresOfStimuliHave) {
+  EXPECT_EQ(faults("face: hidden", ", look: {figure: {character: face.gltf}}"), "");
+  EXPECT_NE(faults("face: hidden").find("has no face"), std::string::npos);
+  EXPECT_NE(
+      faults("face: hidden", ", look: {figure: {character: face.gltf}}}, {id: b, weights: {sad: 1}")
+          .find("look.face: the figure \"stick\" has no face"),
+      std::string::npos);
+}
+
 TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
   const std::string figure = "figure: {character: face.gltf}, ";
   EXPECT_EQ(faults(figure + "face: {file: none.csv}"),

@@ -91,6 +91,14 @@ TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
   EXPECT_EQ(methods.markdown.find("matching task"), std::string::npos);
 }
 
+TEST(Methods, NameTheFiguresOfPeople) {
+  expect_in(methods_for("stimuli:\n"
+                        "  - id: a\n"
+                        "    people: [{weights: {sad: 1}, look: {figure: mannequin}}, {weights: "
+                        "{happy: 1}}]\n"),
+            "Motions were rendered with several figure types (mannequin and stick;");
+}
+
 TEST(Methods, TellFrozenPartsAndEndsWithoutModifications) {
   const Methods methods = methods_for(
       "stimuli:\n"
