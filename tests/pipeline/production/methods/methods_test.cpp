@@ -92,11 +92,12 @@ TEST(Methods, TellHoldsFoilsAndAmongWhichFilmsAreAlike) {
 }
 
 TEST(Methods, NameTheFiguresOfPeople) {
-  expect_in(methods_for("stimuli:\n"
-                        "  - id: a\n"
-                        "    people: [{weights: {sad: 1}, look: {figure: mannequin}}, {weights: "
-                        "{happy: 1}}]\n"),
-            "Motions were rendered with several figure types (mannequin and stick;");
+  expect_in(
+      methods_for("stimuli:\n"
+                  "  - id: a\n"
+                  "    people: [{weights: {sad: 1}, place: {x: 0}, look: {figure: mannequin}}, "
+                  "{weights: {happy: 1}, place: {x: 1}}]\n"),
+      "Motions were rendered with several figure types (mannequin and stick;");
 }
 
 TEST(Methods, TellFrozenPartsAndEndsWithoutModifications) {
