@@ -19,6 +19,7 @@
 #include "motion/rig/unit_guess.h"
 #include "motion/skeleton/clip_markers.h"
 #include "motion/skeleton/floor.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -222,22 +223,6 @@ void map_hands(BodyMapping& mapping, std::span<const RigMotion> motions, ZeroPos
   if (is_own && mapping.hands.any()) keep_own_tips(motions.front().rig, mapping.body);
   for (std::string& warning : hand_warnings(mapping.hands))
     mapping.warnings.push_back(std::move(warning));
-}
-
-/// Whether fingers never move and are straight, as in files of programs that write joints of hands
-/// whether or not anything is known of them. Thumbs have no such direction.
-bool are_straight_and_still(const std::vector<Pose>& poses) {
-  constexpr double least_turn = 1e-6;
-  constexpr double bent = 10.0 * radians_per_degree;
-  for (int joint = 0; joint < finger_joint_count; ++joint) {
-    const auto j = static_cast<size_t>(joint);
-    const Quat& first = poses.front().fingers[j];
-    if (finger_of(joint) != Finger::thumb && angle_between(Quat::Identity(), first) > bent)
-      return false;
-    for (const Pose& pose : poses)
-      if (angle_between(first, pose.fingers[j]) > least_turn) return false;
-  }
-  return true;
 }
 
 /// The canonical body where the rig is: the floor neither levelled nor at y = 0.

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "motion/math/rotation.h"
 #include "motion/skeleton/hand_tip.h"
 
 namespace mien::motion {
@@ -93,6 +94,20 @@ std::array<Vec3, 2 * fingers_per_hand> fingertips(const Skeleton& body, const Po
     tips[tip] = place + turn * fingertip_offset(left, finger, length);
   }
   return tips;
+}
+
+bool are_straight_and_still(const std::vector<Pose>& poses) {
+  constexpr double least_turn = 1e-6;
+  constexpr double bent = 10.0 * radians_per_degree;
+  for (int joint = 0; joint < finger_joint_count; ++joint) {
+    const auto j = static_cast<size_t>(joint);
+    const Quat& first = poses.front().fingers[j];
+    if (finger_of(joint) != Finger::thumb && angle_between(Quat::Identity(), first) > bent)
+      return false;
+    for (const Pose& pose : poses)
+      if (angle_between(first, pose.fingers[j]) > least_turn) return false;
+  }
+  return true;
 }
 
 }  // namespace mien::motion

@@ -15,6 +15,11 @@ bool has_fingers(const Clip& clip);
 /// them: those of a hand follow its wrist.
 void add_hands(Recording& recording);
 
+/// Whether fingers never move and are straight to within 10°, as in files of programs that write
+/// joints of hands whether or not anything is known of them. Thumbs have no such direction. The
+/// poses have fingers, and there is at least one.
+bool are_straight_and_still(const std::vector<Pose>& poses);
+
 /// The skeleton without joints that have the names of finger joints (hand.h), and what hangs on
 /// them.
 Skeleton without_fingers(const Skeleton& skeleton);

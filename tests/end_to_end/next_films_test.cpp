@@ -149,6 +149,11 @@ TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
   refused({first, "-o", second, "--show", "known.png"}, "--show needs ratings");
   refused({first, "-o", second, "--pairs", "4"}, "no answers were given");
   refused({first, "-o", second, "--methods", "text.txt"}, "let it end in .md");
+  folder.write("paper.bib", "@book{mine}\n");
+  refused({answers, first, "-o", second, "--methods", (folder.path() / "paper.md").string()},
+          "holds something else");
+  EXPECT_EQ(text_of(folder.path() / "paper.bib"), "@book{mine}\n");
+  EXPECT_FALSE(fs::exists(folder.path() / "paper.md"));
   refused({answers, first, "-o", second, "--features", "niceness"}, "niceness");
   refused({answers, first, "-o", second, "--show", "known.gif"}, ".png, .svg or .pdf");
   refused({answers, first, "-o", answers}, "exists already, but holds something else");

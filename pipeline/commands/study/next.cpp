@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -79,6 +80,15 @@ void refuse_what_needs_ratings(const NextCommand& command) {
   refuse(!command.scales.empty(), "--scales");
   refuse(!command.tables.empty(), "--tables");
   refuse(!command.show.empty(), "--show");
+}
+
+/// The paragraph and its references, if they are wanted.
+std::vector<std::pair<fs::path, std::string>> methods_files(const NextCommand& command,
+                                                            const RoundMethods& methods) {
+  if (command.methods.empty()) return {};
+  const fs::path text = command.methods;
+  return {{text, methods.text + '\n'},
+          {fs::path(text).replace_extension(".bib"), bibtex_of(methods.cited)}};
 }
 
 std::string comment_of(const NextCommand& command, const FilmChoice& choice, std::uint64_t seed) {
@@ -198,13 +208,17 @@ void write_next_tables(const NextCommand& command, const std::vector<WrittenTabl
     console.out << (fs::path(command.tables) / table.form.path).string() << '\n';
 }
 
+void refuse_other_methods(const NextCommand& command, const RoundMethods& methods) {
+  for (const auto& [file, content] : methods_files(command, methods))
+    refuse_other_content(file, content);
+}
+
 void write_next_methods(const NextCommand& command, const RoundMethods& methods,
                         const Console& console) {
-  if (command.methods.empty()) return;
-  const fs::path text = command.methods, references = fs::path(text).replace_extension(".bib");
-  write_file(text, methods.text + '\n');
-  write_file(references, bibtex_of(methods.cited));
-  console.out << text.string() << '\n' << references.string() << '\n';
+  for (const auto& [file, content] : methods_files(command, methods)) {
+    write_file(file, content);
+    console.out << file.string() << '\n';
+  }
 }
 
 int choose_next_films(const NextCommand& command, const AnswerInputs& inputs,
@@ -220,6 +234,7 @@ int choose_next_films(const NextCommand& command, const AnswerInputs& inputs,
                                     next_name(command, manifest, is_first), is_first ? 1 : 2);
   choice.ids = round.questionnaire->stimuli.ids;
   const std::string yaml = checked_next_yaml(command, round, comment_of(command, choice, seed));
+  refuse_other_methods(command, film_methods(choice));
   console.out << film_report(choice);
   if (const auto wanted = static_cast<std::size_t>(command.films.value_or(usual_next_count));
       choice.next.films.size() < wanted)

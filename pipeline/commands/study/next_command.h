@@ -57,6 +57,10 @@ std::string checked_next_yaml(const NextCommand& command, const Manifest& round,
 void write_next_tables(const NextCommand& command, const std::vector<WrittenTable>& tables,
                        const Console& console);
 
+/// Throws Error if a file of the paragraph or its references holds something else, such as the
+/// bibliography of a paper.
+void refuse_other_methods(const NextCommand& command, const RoundMethods& methods);
+
 /// Writes the paragraph, if it is wanted, with its references beside it, and prints their names.
 void write_next_methods(const NextCommand& command, const RoundMethods& methods,
                         const Console& console);

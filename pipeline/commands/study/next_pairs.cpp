@@ -74,6 +74,7 @@ int choose_next_pairs(const NextCommand& command, const AnswerInputs& inputs,
   const Manifest round =
       next_pair_round(manifest, choice.study, choice.next, next_name(command, manifest));
   const std::string yaml = checked_next_yaml(command, round, pair_comment(choice.study));
+  refuse_other_methods(command, pair_methods(choice));
   console.out << pair_report(choice);
   write_file(command.out, yaml);
   console.out << command.out << '\n';
