@@ -149,6 +149,10 @@ TEST_F(NextRound, IsRefusedBeforeAnythingIsWritten) {
   refused({first, "-o", second, "--show", "known.png"}, "--show needs ratings");
   refused({first, "-o", second, "--pairs", "4"}, "no answers were given");
   refused({first, "-o", second, "--methods", "text.txt"}, "let it end in .md");
+  const std::string nowhere = (folder.path() / "nowhere").string();
+  refused({first, "-o", second, "--methods", nowhere + "/text.md"}, "its folder does not exist");
+  refused({answers, first, "-o", second, "--show", nowhere + "/known.png"}, "its folder does not");
+  refused({first, "-o", nowhere + "/next.yaml"}, "its folder does not exist");
   folder.write("paper.bib", "@book{mine}\n");
   refused({answers, first, "-o", second, "--methods", (folder.path() / "paper.md").string()},
           "holds something else");

@@ -131,7 +131,17 @@ FilmChoice film_choice(const NextCommand& command, const Manifest& manifest,
   return choice;
 }
 
+/// Throws Error if the folder of a file that is to be written does not exist, before anything is
+/// chosen or written.
+void require_folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder))
+    throw Error({file}, "its folder does not exist", "create it first");
+}
+
 int choose_next(const NextCommand& command, const Console& console) {
+  for (const std::string& file : {command.out, command.show, command.methods})
+    require_folder_of(file);
   if (!command.show.empty()) require_plot_file(command.show);
   if (!command.methods.empty() && fs::path(command.methods).extension() != ".md")
     throw Error({command.methods}, "is no name for a text", "let it end in .md");
