@@ -20,6 +20,7 @@
 #include "motion/modify/nine_grid.h"
 #include "motion/modify/value_range.h"
 #include "motion/modify/variation.h"
+#include "motion/skeleton/recorded_hands.h"
 #include "motion/skeleton/straighten.h"
 
 namespace mien::motion {
@@ -374,6 +375,9 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   if (travels(original)) report.travel_ratio = way(repaired) / way(original);
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
   write_remarks(report, m, in_its_place);
+  if (m.hands == FingerPaths::scaled && !has_fingers(clip))
+    report.remarks.emplace_back(
+        "the motion has no fingers whose paths could change with those of the body");
 
   result.clip = in_its_place ? in_place(repaired) : std::move(repaired);
   result.clip.name = clip.name;

@@ -33,6 +33,12 @@ struct PathGains {
   std::vector<double> bands;
 };
 
+/// What a change of path lengths does to fingers.
+enum class FingerPaths {
+  kept,    ///< nothing: they move with their hand, as recorded (default)
+  scaled,  ///< their frequency bands are weighted as those of the body's joints
+};
+
 /// Where acceleration applies.
 enum class AccelerationPlace {
   pauses,    ///< at all slow moments of the limb
@@ -71,7 +77,8 @@ struct Modification {
   double paths = 1.0;              ///< length of motion paths, 0 very short … 1 as is … 2 long
   std::optional<PathGains> gains;  ///< instead of `paths`
   RotationSignal signal = RotationSignal::direction_vectors;
-  double acceleration = 0.0;  ///< −1 constant speed … 0 as is … 1 accelerated
+  FingerPaths hands = FingerPaths::kept;  ///< of motions that have fingers
+  double acceleration = 0.0;              ///< −1 constant speed … 0 as is … 1 accelerated
   AccelerationPlace acceleration_place = AccelerationPlace::pauses;
   Limbs limbs;  ///< to which acceleration and variation apply
   std::vector<PostureChange> posture;

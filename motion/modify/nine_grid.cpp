@@ -17,7 +17,7 @@ namespace {
 /// The motion with other path lengths, and the root carried along by the feet.
 Clip with_paths(const Clip& original, const std::vector<FootPlant>& plants, const PathGains& gains,
                 const Modification& modification) {
-  const Clip filtered = with_path_gains(original, gains, modification.signal);
+  const Clip filtered = with_path_gains(original, gains, modification.signal, modification.hands);
   if (modification.repair == FootRepair::none) return filtered;
   const bool smooth = modification.repair == FootRepair::plants;
   return with_hip_shift(filtered, original, plants, smooth ? HipPath::smooth : HipPath::exact);
@@ -83,6 +83,24 @@ Weighted path_neighbours(const Clip& original, const std::vector<FootPlant>& pla
   return neighbours;
 }
 
+/// Sets the rotations of joints, or of fingers, to the weighted means of those of the poses, which
+/// all have the same joints. Where they do not differ, they stay as they are.
+void set_mean_rotations(Pose& mean, std::vector<Quat> Pose::*joints,
+                        std::span<const Pose* const> poses, std::span<const double> weights,
+                        const Pose& previous) {
+  for (size_t j = 0; j < (mean.*joints).size(); ++j) {
+    const Quat& first = (poses.front()->*joints)[j];
+    const bool same = std::all_of(poses.begin() + 1, poses.end(), [&](const Pose* pose) {
+      return (pose->*joints)[j].coeffs() == first.coeffs();
+    });
+    if (same) continue;
+    Directions sum = Directions::Zero();
+    for (size_t c = 0; c < poses.size(); ++c)
+      sum += weights[c] * directions_of((poses[c]->*joints)[j]);
+    (mean.*joints)[j] = to_rotation(sum, (previous.*joints)[j]);
+  }
+}
+
 }  // namespace
 
 Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weights,
@@ -92,18 +110,8 @@ Pose mean_pose(std::span<const Pose* const> poses, std::span<const double> weigh
   for (size_t c = 0; c < poses.size(); ++c) {
     mean.root_position += weights[c] * poses[c]->root_position;
   }
-  for (size_t j = 0; j < mean.rotations.size(); ++j) {
-    const Quat& first = poses.front()->rotations[j];
-    const bool same = std::all_of(poses.begin() + 1, poses.end(), [&](const Pose* pose) {
-      return pose->rotations[j].coeffs() == first.coeffs();
-    });
-    if (same) continue;
-    Directions sum = Directions::Zero();
-    for (size_t c = 0; c < poses.size(); ++c) {
-      sum += weights[c] * directions_of(poses[c]->rotations[j]);
-    }
-    mean.rotations[j] = to_rotation(sum, previous.rotations[j]);
-  }
+  set_mean_rotations(mean, &Pose::rotations, poses, weights, previous);
+  set_mean_rotations(mean, &Pose::fingers, poses, weights, previous);
   return mean;
 }
 

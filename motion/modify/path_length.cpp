@@ -5,7 +5,10 @@
 
 #include "motion/math/pyramid.h"
 #include "motion/modify/turn_curve.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 #include "motion/skeleton/joint_curve.h"
+#include "motion/skeleton/recorded_hands.h"
 
 namespace mien::motion {
 
@@ -69,6 +72,25 @@ void filter_logarithms(Clip& clip, int joint, const BandFilter& filter) {
   set_rotations(clip, joint, turns);
 }
 
+void filter_joints(Clip& clip, int first, RotationSignal signal, const BandFilter& filter) {
+  for (int joint = first; joint < clip.body.size(); ++joint) {
+    if (signal == RotationSignal::quaternions)
+      filter_logarithms(clip, joint, filter);
+    else
+      set_rotations(clip, joint, filter(direction_curve(clip, joint)));
+  }
+}
+
+void filter_fingers(Clip& clip, RotationSignal signal, const BandFilter& filter) {
+  Clip hands;
+  hands.body = with_fingers(clip.body);
+  for (const Pose& pose : clip.poses) hands.poses.push_back(with_fingers(pose));
+  filter_joints(hands, body_joint_count, signal, filter);
+  for (size_t f = 0; f < clip.poses.size(); ++f)
+    std::copy_n(hands.poses[f].rotations.begin() + body_joint_count, finger_joint_count,
+                clip.poses[f].fingers.begin());
+}
+
 }  // namespace
 
 PathGains longest_path_gains() { return {1.0, longest_middle_gain, high_gain, {}}; }
@@ -96,17 +118,13 @@ BandWeights band_weights(const PathGains& gains, double frames_per_second) {
   return {band_gains(gains, factor * frames_per_second), gains.low, factor};
 }
 
-Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal) {
+Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal,
+                     FingerPaths hands) {
   Clip result = clip;
   if (clip.poses.empty()) return result;
   const BandFilter filter{band_weights(gains, clip.frames_per_second), clip.loops};
-  for (int joint = 0; joint < clip.body.size(); ++joint) {
-    if (signal == RotationSignal::quaternions) {
-      filter_logarithms(result, joint, filter);
-    } else {
-      set_rotations(result, joint, filter(direction_curve(clip, joint)));
-    }
-  }
+  filter_joints(result, 0, signal, filter);
+  if (hands == FingerPaths::scaled && has_fingers(clip)) filter_fingers(result, signal, filter);
   return result;
 }
 

@@ -37,7 +37,8 @@ BandWeights band_weights(const PathGains& gains, double frames_per_second);
 
 /// The clip with the bands of all its joint rotations weighted (Bruderlin and Williams 1995). The
 /// root's path is unchanged, so feet may slide (see foot_repair.h). With direction vectors only the
-/// ratios of the gains matter.
-Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal);
+/// ratios of the gains matter. Fingers, if there are any, keep their rotations or are weighted too.
+Clip with_path_gains(const Clip& clip, const PathGains& gains, RotationSignal signal,
+                     FingerPaths hands = FingerPaths::kept);
 
 }  // namespace mien::motion

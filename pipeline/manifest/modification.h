@@ -58,6 +58,8 @@ void fields_of(auto&& field, MaybeConst<PoseDifferenceSource> auto& pose) {
 inline constexpr Words<motion::RotationSignal> signal_words = {
     {"direction-vectors", motion::RotationSignal::direction_vectors},
     {"quaternions", motion::RotationSignal::quaternions}};
+inline constexpr Words<motion::FingerPaths> finger_path_words = {
+    {"keep", motion::FingerPaths::kept}, {"scale", motion::FingerPaths::scaled}};
 inline constexpr Words<motion::AccelerationPlace> acceleration_words = {
     {"pauses", motion::AccelerationPlace::pauses},
     {"contacts", motion::AccelerationPlace::contacts}};
@@ -121,6 +123,7 @@ void fields_of(auto&& field, MaybeConst<motion::Modification> auto& modification
   field("paths", modification.paths, concerns::motion);
   field("gains", modification.gains, concerns::motion);
   field("signal", modification.signal, concerns::motion, signal_words);
+  field("hands", modification.hands, concerns::motion, finger_path_words);
   field("acceleration", modification.acceleration, concerns::motion);
   field("acceleration_at", modification.acceleration_place, concerns::motion, acceleration_words);
   field.by("limbs", modification.limbs, concerns::motion, LimbsForm());

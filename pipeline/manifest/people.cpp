@@ -143,6 +143,7 @@ void name_people(Manifest& manifest) {
       person.motion.path = element_path(member_path(stimulus.path, "people"), i);
       if (person.figure) person.motion.look.figure = *person.figure;
       if (person.face) person.motion.look.face = *person.face;
+      if (person.hands) person.motion.look.hands = *person.hands;
     }
   }
 }

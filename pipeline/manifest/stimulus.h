@@ -151,6 +151,7 @@ struct Person {
   double start = 0.0;                    ///< seconds of the film at which the motion begins
   std::optional<scenes::Figure> figure;  ///< a body; if not given, the figure of the stimulus
   std::optional<scenes::Face> face;      ///< of a character; if not given, that of the stimulus
+  std::optional<scenes::Hands> hands;    ///< if not given, those of the stimulus
   std::string colour;                    ///< "#rrggbb"; if empty, by the person's number
 };
 
@@ -187,6 +188,7 @@ void fields_of(auto&& field, MaybeConst<Person> auto& person) {
   field.group("look", [&](auto& look) {
     look.by("figure", person.figure, concerns::picture, PersonFigureForm());
     look.by("face", person.face, concerns::picture, PersonFaceForm());
+    look.by("hands", person.hands, concerns::picture, PersonHandsForm());
     look("colour", person.colour, concerns::picture);
   });
 }

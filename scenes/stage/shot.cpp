@@ -221,12 +221,13 @@ Figure drawable(const Figure& figure, const std::vector<Performance>& performanc
 Actor actor_of(const Performance& one, const Look& look) {
   const Figure& figure = one.figure ? *one.figure : look.figure;
   const FigureColours colours = one.colours ? *one.colours : colours_of(one.role);
-  Actor actor = make_actor(with_shown_hands(one.clip, look.hands), figure, colours, look.detail);
+  const Hands hands = one.hands.value_or(look.hands);
+  Actor actor = make_actor(with_shown_hands(one.clip, hands), figure, colours, look.detail);
   actor.name = one.name;
   actor.opacity = one.opacity;
   const PointLightOptions* dots = dots_in(figure);
   const bool shows_hands = dots == nullptr || has_dots_on_fingers(*dots);
-  if (shows_hands && gets_relaxed_hands(one.clip, look.hands))
+  if (shows_hands && gets_relaxed_hands(one.clip, hands))
     actor.warnings.emplace_back(
         actor.has_hands
             ? "The motion has no fingers; relaxed hands are drawn."

@@ -57,6 +57,7 @@ struct Performance {
   float opacity = 1.0f;
   std::optional<FigureColours> colours;  ///< instead of those of the role
   std::optional<Figure> figure;          ///< instead of the look's; dots only if it has dots too
+  std::optional<Hands> hands;            ///< instead of the look's
 };
 
 /// The clip, with its markers, turned about the vertical and moved so that it begins at `place` on

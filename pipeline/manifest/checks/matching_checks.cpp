@@ -6,6 +6,7 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/scales/feature_parameters.h"
 
@@ -78,20 +79,25 @@ class MatchingCheck {
   void check_targets() {
     Names ids;
     for (const Stimulus& stimulus : manifest_.stimuli) ids.push_back(stimulus.id);
+    for (const Stimulus* motion : motion_sources(manifest_))
+      if (!is_in(motion->id, ids)) ids.push_back(motion->id);
     check_names("targets", matching_.targets, "stimulus", ids);
     check_names("practice", matching_.practice, "stimulus", ids);
-    for (const Stimulus& stimulus : manifest_.stimuli) {
-      const bool is_asked =
-          is_in(stimulus.id, matching_.practice) || is_in(stimulus.id, matching_targets(manifest_));
-      if (is_asked && stimulus.walk)
-        list_.add(member_path(stimulus.path, "path"),
-                  "sliders make one gait cycle, but this stimulus walks along a path",
+    const auto is_asked = [&](const Stimulus& stimulus) {
+      return is_in(stimulus.id, matching_.practice) ||
+             is_in(stimulus.id, matching_targets(manifest_));
+    };
+    for (const Stimulus* motion : motion_sources(manifest_))
+      if (is_asked(*motion) && motion->walk)
+        list_.add(member_path(motion->path, "path"),
+                  "sliders make one gait cycle, but this motion walks along a path",
                   "use a target made from adjectives, features, weights or a clip");
-      if (is_asked && !stimulus.people.empty())
+    for (const Stimulus& stimulus : manifest_.stimuli)
+      if (is_asked(stimulus) && !stimulus.people.empty())
         list_.add(member_path(stimulus.path, "people"),
                   "sliders make one motion, but this stimulus has several people",
-                  "use a target with one motion");
-    }
+                  "name one of them as a target, such as " + stimulus.people.front().motion.id +
+                      ", or use another stimulus");
     if (matching_targets(manifest_).empty())
       list_.add("matching", "there is no target motion",
                 "name stimuli as targets: […], or give stimuli role: target");

@@ -26,6 +26,7 @@ class StepChecker : FaultList {
       add(member_path(step.path, "gains"), "paths already determines the band gains",
           "give paths or gains");
     }
+    check_hands(step);
     check_tempo(step);
     if (step.edit.pose) {
       check_pose(member_path(step.path, "pose.neutral"), step.edit.pose->neutral);
@@ -84,11 +85,20 @@ class StepChecker : FaultList {
           "limbs",     "posture",     "pose",      "step_width",  "step_length",  "sway",
           "arm_swing", "trunk_swing", "gesture",   "range",       "tempo",        "gravity",
           "stiffness", "weight",      "variation", "soft_limits", "freeze",       "drives",
-          "keys",      "constraints", "ends"}) {
+          "keys",      "constraints", "ends",      "hands"}) {
       if (!was_given(member_path(step.path, key))) continue;
       add(member_path(step.path, key), "a step with a method has no other changes",
           "make a list of two steps");
     }
+  }
+
+  void check_hands(const ModificationStep& step) {
+    const motion::Modification& m = step.modification;
+    const bool changes_paths = m.gains || m.paths != 1.0;
+    if (step.style || m.hands == motion::FingerPaths::kept || changes_paths) return;
+    add(member_path(step.path, "hands"),
+        "no paths are changed with which those of fingers could be",
+        "add paths: or gains:, or omit it");
   }
 
   void check_tempo(const ModificationStep& step) {

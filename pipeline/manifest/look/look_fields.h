@@ -163,6 +163,14 @@ inline constexpr Words<scenes::Hands> hands_words = {{"auto", scenes::Hands::aut
                                                      {"drawn", scenes::Hands::drawn},
                                                      {"hidden", scenes::Hands::hidden}};
 
+/// `hands:` of a person, who has those of the stimulus if none are given.
+struct PersonHandsForm {
+  static void read(const DocumentValue& given, std::optional<scenes::Hands>& hands);
+  static nlohmann::ordered_json write(const std::optional<scenes::Hands>& hands,
+                                      const WritingOptions&);
+  static void walk(auto&) {}
+};
+
 void fields_of(auto&& field, MaybeConst<Look> auto& look) {
   field.by("scene", look, concerns::picture, SceneForm());
   field.by("figure", look.figure, concerns::picture, FigureForm<scenes::Figure>());

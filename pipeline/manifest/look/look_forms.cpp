@@ -94,6 +94,15 @@ OrderedJson StereoForm::write(const std::optional<double>& separation_m, const W
   return {{"separation", *separation_m}};
 }
 
+void PersonHandsForm::read(const DocumentValue& given, std::optional<scenes::Hands>& hands) {
+  assign(&given.value, hands.emplace(), hands_words);
+}
+
+OrderedJson PersonHandsForm::write(const std::optional<scenes::Hands>& hands,
+                                   const WritingOptions&) {
+  return hands ? OrderedJson(word_of(hands_words, *hands)) : OrderedJson();
+}
+
 void SceneForm::read(const DocumentValue& given, Look& look) {
   look.background.clear();
   assign(&given.value, look.scene);

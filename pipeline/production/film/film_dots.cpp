@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -43,6 +44,7 @@ struct DotRow {
   bool is_lit;                          ///< not a marker in a gap
   bool is_visible;
   const char* eye;
+  std::string_view person;  ///< empty if there is only one
 
   std::optional<double> pixels(int axis) const {
     return seen ? std::optional(static_cast<double>((*seen)[axis])) : std::nullopt;
@@ -73,11 +75,13 @@ constexpr auto dots_columns = table_of<DotRow>(
      {"visible", "0/1", "1: shown and inside the image (of that eye)",
       [](auto& r) { return r.is_visible; }},
      {"eye", "", "both; for a stereo pair, left or right, with one row for each",
-      [](auto& r) { return r.eye; }}});
+      [](auto& r) { return r.eye; }},
+     {"person", "", "name of the person whose dot it is; empty unless there are several",
+      [](auto& r) { return r.person; }}});
 
 /// The rows of one frame of an actor's dots, counted from `first` on, as one eye sees them.
-void add_rows(std::vector<DotRow>& rows, const Eye& eye, const scenes::Actor& actor, int frame,
-              std::size_t first) {
+void add_rows(std::vector<DotRow>& rows, const Eye& eye, const scenes::Actor& actor,
+              std::string_view person, int frame, std::size_t first) {
   const render::Camera& camera = eye.camera;
   const render::Window shown_part = window_of(camera);
   for (std::size_t d = 0; d < actor.dots.size(); ++d) {
@@ -93,7 +97,7 @@ void add_rows(std::vector<DotRow>& rows, const Eye& eye, const scenes::Actor& ac
                             seen->y() < static_cast<float>(shown_part.height);
     if (seen) seen->x() += static_cast<float>(eye.left);
     rows.push_back({frame, frame / actor.clip.frames_per_second, first + d, dot, at, seen, is_lit,
-                    is_visible, eye.name});
+                    is_visible, eye.name, person});
   }
 }
 
@@ -103,11 +107,12 @@ const TableForm dots_form = dots_columns.form();
 
 std::string dots_csv(const scenes::Shot& shot) {
   std::vector<DotRow> rows;
+  const bool are_several = shot.actors.size() > 1;
   for (int frame = 0; frame < shot.frame_count(); ++frame) {
     for (const Eye& eye : eyes_at(shot, frame)) {
       std::size_t first = 0;
       for (const scenes::Actor& actor : shot.actors) {
-        add_rows(rows, eye, actor, frame, first);
+        add_rows(rows, eye, actor, are_several ? actor.name : std::string_view(), frame, first);
         first += actor.dots.size();
       }
     }

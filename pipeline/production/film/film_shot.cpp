@@ -128,7 +128,8 @@ scenes::Shot shot_of(const Stimulus& stimulus, std::vector<motion::Clip> people,
     performances.push_back({.name = person.name,
                             .clip = std::move(people[i]),
                             .colours = scenes::colours_of_hex(colour),
-                            .figure = std::move(figure)});
+                            .figure = std::move(figure),
+                            .hands = person.hands});
   }
   return scenes::stage(performances, look);
 }

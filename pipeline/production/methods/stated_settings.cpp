@@ -106,6 +106,7 @@ constexpr OptionWords option_words[] = {
     {"modify.paths", "path length {} (0 shortest, 1 unchanged, 2 longest)"},
     {"modify.acceleration", "acceleration {} (−1 constant speed, 0 unchanged, 1 accelerated)"},
     {"modify.acceleration_at", "acceleration at {}"},
+    {"modify.hands", "paths of fingers: {}"},
     {"modify.tempo", "tempo × {}"},
     {"modify.gravity", "gravity {} at that tempo"},
     {"modify.stiffness.head", "stiffness {} of the head"},

@@ -1,6 +1,8 @@
+#include <optional>
 #include <vector>
 
 #include "motion/measures/distance/distance.h"
+#include "motion/measures/distance/hands_distance.h"
 #include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/report_tables.h"
 #include "pipeline/production/report/tables.h"
@@ -14,6 +16,7 @@ struct ComparedPair {
   MotionPair pair;
   std::string ratings;
   motion::Distance d;
+  std::optional<double> fingertips_m;
 };
 
 struct ComparedJoint {
@@ -66,6 +69,10 @@ constexpr auto distances_columns = table_of<ComparedPair>(
       [](auto& r) { return r.d.sum; }},
      {"mpjpe_m", "m", "mean joint distance over all frames (MPJPE)",
       [](auto& r) { return r.d.mpjpe; }},
+     {"fingertips_m", "m",
+      "mean distance of the ten fingertips from their positions in the target, as seen from their "
+      "wrists, at the same moments; empty unless both motions have fingers",
+      [](auto& r) { return r.fingertips_m; }},
      {"threshold_m", "m",
       "threshold of D at which a trial of the adjective paper's matching task ends",
       [](auto&) { return motion::distance_threshold_m; }},
@@ -127,14 +134,16 @@ std::vector<ComparedPair> compared_pairs(const Manifest& manifest, Motions& moti
   std::vector<ComparedPair> rows;
   for (const Sheet& sheet : manifest.sheets)
     for (const MotionPair& pair : pairs_on(sheet))
-      rows.push_back(
-          {sheet, pair, ratings_of(pair, motions), motions.distance(pair.target, pair.created)});
+      rows.push_back({sheet, pair, ratings_of(pair, motions),
+                      motions.distance(pair.target, pair.created),
+                      motion::hands_distance(motions.of(pair.target).motion,
+                                             motions.of(pair.created).motion)});
   return rows;
 }
 
 std::vector<ComparedJoint> compared_joints(const Manifest& manifest, Motions& motions) {
   std::vector<ComparedJoint> rows;
-  for (const auto& [sheet, pair, ratings, d] : compared_pairs(manifest, motions))
+  for (const auto& [sheet, pair, ratings, d, fingertips] : compared_pairs(manifest, motions))
     for (int joint = 0; joint < motion::distance_joints; ++joint)
       for (int time = 0; time < motion::distance_times; ++time)
         rows.push_back({sheet, pair, ratings, motion::BodyJoint(joint + 1),

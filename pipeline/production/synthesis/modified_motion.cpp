@@ -325,6 +325,8 @@ std::string described(const ModificationStep& step) {
   }
   if (edit.names("paths")) append(parts, "paths", edit.values.paths);
   if (edit.names("gains")) parts.emplace_back("band gains");
+  if (edit.names("hands") && edit.values.hands == motion::FingerPaths::scaled)
+    parts.emplace_back("paths of fingers scaled");
   if (edit.names("acceleration")) append(parts, "acceleration", edit.values.acceleration);
   for (const motion::PostureChange& change : edit.values.posture) {
     append(parts, std::string(motion::name_of(change.unit)), change.degrees, "°");

@@ -445,5 +445,19 @@ TEST_F(ModifiedTakes, MayAlsoBeLoopsInPlace) {
   }
 }
 
+TEST(Modification, SaysThatThereAreNoFingersToScale) {
+  Modification m = recipe(1.5, 0.0);
+  const Clip clip = walk({}, 60.0, standard_body()).clip;
+  const auto says = [&] {
+    const std::vector<std::string> remarks = modify(clip, m).report.remarks;
+    return std::any_of(remarks.begin(), remarks.end(), [](const std::string& remark) {
+      return remark.find("the motion has no fingers") == 0;
+    });
+  };
+  EXPECT_FALSE(says());
+  m.hands = FingerPaths::scaled;
+  EXPECT_TRUE(says());
+}
+
 }  // namespace
 }  // namespace mien::motion

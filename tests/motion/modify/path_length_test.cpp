@@ -7,6 +7,7 @@
 #include "motion/gait/loop.h"
 #include "motion/math/rotation.h"
 #include "motion/procedural/walker.h"
+#include "motion/skeleton/hand.h"
 #include "motion/skeleton/straighten.h"
 
 #include "path_measures.h"
@@ -93,6 +94,40 @@ TEST(PathLength, OfQuaternionsScalesAnglesByTheBandsGain) {
   EXPECT_NEAR(swing_of(longer), 18.0, 1.0);
   const Clip shorter = with_path_gains(clip, {1.0, 0.3, 0.3, {}}, RotationSignal::quaternions);
   EXPECT_NEAR(swing_of(shorter), 3.0, 1.0);
+}
+
+/// A hand whose index finger bends as the arm of `swinging_arm` swings.
+Clip bending_finger(double mean_deg, double swing_deg, double hz) {
+  Clip clip = swinging_arm(mean_deg, swing_deg, hz);
+  const int index = finger_joint(true, Finger::index, 1);
+  for (Pose& pose : clip.poses) {
+    pose.fingers.assign(finger_joint_count, Quat::Identity());
+    const double angle = -log(pose.rotations[LeftShoulder]).z();
+    pose.fingers[size_t(index)] = exp(angle * flexion_axis(index));
+  }
+  return clip;
+}
+
+TEST(PathLength, OfFingersStaysUnlessTheyAreScaledAsTheBodyIs) {
+  const int index = finger_joint(true, Finger::index, 1);
+  const Clip clip = bending_finger(40.0, 10.0, 3.25);
+  const PathGains gains{1.0, 1.8, 1.8, {}};
+  for (const auto signal : {RotationSignal::direction_vectors, RotationSignal::quaternions}) {
+    const Clip kept = with_path_gains(clip, gains, signal, FingerPaths::kept);
+    const Clip scaled = with_path_gains(clip, gains, signal, FingerPaths::scaled);
+    for (size_t f = 0; f < clip.poses.size(); ++f) {
+      const std::vector<Quat>& fingers = scaled.poses[f].fingers;
+      for (size_t j = 0; j < fingers.size(); ++j) {
+        EXPECT_EQ(kept.poses[f].fingers[j].coeffs(), clip.poses[f].fingers[j].coeffs());
+        if (j == size_t(index)) continue;
+        EXPECT_LT(angle_between(fingers[j], Quat::Identity()), 1e-9);
+      }
+      // The finger bends by the angle of the arm, about another axis.
+      EXPECT_NEAR(angle_between(fingers[size_t(index)], Quat::Identity()),
+                  angle_between(scaled.poses[f].rotations[LeftShoulder], Quat::Identity()), 0.02);
+    }
+    EXPECT_NEAR(swing_of(scaled), swing_of(kept), 1e-12);
+  }
 }
 
 TEST(PathLength, OfDirectionVectorsScalesTheTangentAndDoesNotWindRound) {

@@ -1,3 +1,5 @@
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "motion/dynamics/retiming.h"
@@ -5,6 +7,7 @@
 #include "motion/handed_motion.h"
 #include "motion/interpolation/blend.h"
 #include "motion/modify/limb_timing.h"
+#include "motion/modify/nine_grid.h"
 #include "motion/random_motion.h"
 #include "motion/rig/retarget.h"
 #include "motion/skeleton/finger_angles.h"
@@ -120,6 +123,40 @@ TEST(KeptHands, GoAlongWithTheirHandAndNotWithTheOther) {
     for (size_t j = 0; j < size_t(finger_joint_count); ++j) {
       const Pose& expected = is_left_finger(int(j)) ? later : before.poses[size_t(f)];
       EXPECT_LT(angle_between(clip.poses[size_t(f)].fingers[j], expected.fingers[j]), 1e-7);
+    }
+  }
+}
+
+TEST(KeptHands, AreBetweenThoseOfTheMotionsOfAMean) {
+  std::mt19937_64 random(10);
+  const Clip clip = handed_loop(random, 30).clip;
+  std::array<Clip, 2> corners = {clip, clip};
+  for (int e = 0; e < 2; ++e)
+    for (Pose& pose : corners[size_t(e)].poses)
+      for (int j = 0; j < finger_joint_count; ++j)
+        pose.fingers[size_t(j)] = exp((e == 0 ? 0.2 : 1.0) * flexion_axis(j));
+  const Clip mean = mean_clip(corners, std::array{0.5, 0.5});
+  for (const Pose& pose : mean.poses)
+    for (int j = 0; j < finger_joint_count; ++j)
+      EXPECT_NEAR(finger_angles(pose, j).flexion, 0.6 / radians_per_degree, 1e-6);
+}
+
+TEST(KeptHands, KeepTheTimeOfTheirHandAtEveryAcceleration) {
+  std::mt19937_64 random(11);
+  Clip clip = handed_loop(random, 60).clip;
+  // Fingers that do what the wrist does.
+  for (Pose& pose : clip.poses)
+    for (size_t j = 0; j < size_t(finger_joint_count); ++j)
+      pose.fingers[j] = pose.rotations[is_left_finger(int(j)) ? LeftWrist : RightWrist];
+  for (const double acceleration : {-0.6, 0.4, 1.0}) {
+    Modification m;
+    m.acceleration = acceleration;
+    const Clip timed = grid_motion(clip, {}, m);
+    for (const Pose& pose : timed.poses) {
+      for (size_t j = 0; j < size_t(finger_joint_count); ++j) {
+        const BodyJoint wrist = is_left_finger(int(j)) ? LeftWrist : RightWrist;
+        EXPECT_LT(angle_between(pose.fingers[j], pose.rotations[wrist]), 0.05) << acceleration;
+      }
     }
   }
 }

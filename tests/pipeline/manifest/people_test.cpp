@@ -66,7 +66,8 @@ TEST(PeopleOfAStimulus, AreWrittenAndReadAgain) {
       "    people:\n"
       "      - {name: host, weights: {sad: 1}, place: {x: -0.5, z: 0.25, turn: 90}}\n"
       "      - {path: [{walk: 2}], start: -0.5, modify: {emotion: sad},\n"
-      "         look: {figure: {mannequin: {build: 0.9}}, colour: \"#d55e00\"}}\n");
+      "         look: {figure: {mannequin: {build: 0.9}}, hands: hidden, colour: "
+      "\"#d55e00\"}}\n");
   const OrderedJson text = written(manifest, WritingOptions{});
   const ManifestReading again = parse_manifest(text.dump(), "/nowhere/m.yaml",
                                                [](const std::string&) { return std::nullopt; });
@@ -76,6 +77,9 @@ TEST(PeopleOfAStimulus, AreWrittenAndReadAgain) {
   EXPECT_EQ(second.start, -0.5);
   EXPECT_EQ(second.colour, "#d55e00");
   EXPECT_EQ(std::get<scenes::MannequinOptions>(*second.figure).build, 0.9);
+  EXPECT_EQ(second.hands, scenes::Hands::hidden);
+  EXPECT_EQ(second.motion.look.hands, scenes::Hands::hidden);
+  EXPECT_FALSE(again.manifest.stimuli[0].people[0].hands);
   EXPECT_EQ(again.manifest.stimuli[0].people[0].place->turn, 90.0);
 }
 

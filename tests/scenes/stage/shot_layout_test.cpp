@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/skeleton/recorded_hands.h"
 #include "scenes/stage/shot.h"
 #include "scenes/walking_clip.h"
 
@@ -50,6 +51,23 @@ TEST(ShotLayout, AsRecordedKeepsDistancesAnywhere) {
   EXPECT_LT(start_of(shot.actors[0]).norm(), 10.0);
   EXPECT_LT((start_of(shot.actors[1]) - start_of(shot.actors[0]) - 3.0 * Vec3::UnitZ()).norm(),
             1e-9);
+}
+
+TEST(ShotLayout, GivesEachPersonHandsOfTheirOwn) {
+  std::vector<Performance> people = two_people(3.0, Vec3::Zero());
+  people[1].hands = Hands::drawn;
+  Look look;
+  look.layout = Layout::as_recorded;
+  const Shot one = stage(people, look);
+  EXPECT_FALSE(has_fingers(one.actors[0].clip));
+  EXPECT_TRUE(has_fingers(one.actors[1].clip));
+  EXPECT_TRUE(one.actors[0].warnings.empty());
+  EXPECT_EQ(one.actors[1].warnings.size(), 1u);
+  look.hands = Hands::drawn;
+  people[1].hands = Hands::hidden;
+  const Shot other = stage(people, look);
+  EXPECT_TRUE(has_fingers(other.actors[0].clip));
+  EXPECT_FALSE(has_fingers(other.actors[1].clip));
 }
 
 TEST(ShotLayout, SuperimposedBeginsInOnePlace) {

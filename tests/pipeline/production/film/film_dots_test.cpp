@@ -8,6 +8,7 @@
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/production/film/film_shot.h"
 #include "scenes/marked_clip.h"
+#include "scenes/walking_clip.h"
 
 namespace mien::pipeline {
 namespace {
@@ -65,6 +66,24 @@ TEST(DotTable, LeavesMarkersThatAreDarkWithoutAPosition) {
   EXPECT_EQ(dark, 10);
   EXPECT_EQ(kinds["LANK"], 60);
   EXPECT_EQ(kinds.size(), 6u);
+}
+
+TEST(DotTable, NamesThePersonWhereThereAreSeveral) {
+  const motion::Clip clip = scenes::test::walking_clip(3, motion::Vec3::UnitZ(), 0.04);
+  const scenes::Look look{.figure = scenes::PointLightOptions{},
+                          .layout = scenes::Layout::as_recorded};
+  const auto people_of = [](const scenes::Shot& shot) {
+    const CsvTable table = parse_csv(dots_csv(shot), "dots.csv");
+    std::map<std::string, int> rows;
+    for (const auto& row : table.rows)
+      ++rows[row[static_cast<std::size_t>(require_column(table, "person"))].text];
+    return rows;
+  };
+  EXPECT_EQ(people_of(scenes::stage(clip, look)), (std::map<std::string, int>{{"", 3 * 13}}));
+  const std::vector<scenes::Performance> people = {{.name = "ann", .clip = clip},
+                                                   {.name = "bo", .clip = clip}};
+  EXPECT_EQ(people_of(scenes::stage(people, look)),
+            (std::map<std::string, int>{{"ann", 3 * 13}, {"bo", 3 * 13}}));
 }
 
 TEST(MarkerFacts, SayHowManyAreShownAndHowMuchIsMissing) {

@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "motion/formats/motion_file.h"
+#include "motion/math/rotation.h"
 #include "motion/measures/distance/distance.h"
+#include "motion/measures/distance/hands_distance.h"
 #include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/hand.h"
 #include "motion/skeleton/recording.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/temporary_folder.h"
@@ -90,6 +93,34 @@ TEST_F(Tables, MeanOfJointDistancesIsD) {
   EXPECT_GT(sum, 0.0);
   EXPECT_NEAR(number(distances, 0, "d_m"), sum / 220.0, 1e-12);
   EXPECT_NEAR(number(distances, 0, "d_sum_m"), sum, 1e-9);
+}
+
+TEST_F(Tables, FingertipsAreComparedWhereBothMotionsHaveFingers) {
+  EXPECT_EQ(text(table(distances_table), 0, "fingertips_m"), "");
+  const test::TemporaryFolder folder;
+  Manifest files = small_study();
+  motion::Clip walk = motion::repeated(motion::builtin_examples("walks-10").examples[0].clip, 2);
+  for (std::size_t s = 0; s < 2; ++s) {
+    Stimulus& stimulus = files.stimuli[s];
+    for (motion::Pose& pose : walk.poses) {
+      pose.fingers = motion::relaxed_fingers();
+      for (int joint = 0; joint < motion::finger_joint_count; ++joint)
+        pose.fingers[static_cast<std::size_t>(joint)] =
+            motion::exp(0.5 * static_cast<double>(s + 1) * motion::flexion_axis(joint));
+    }
+    const auto file = folder.path() / (std::to_string(s) + ".bvh");
+    motion::write_motion(motion::to_recording(walk), file);
+    stimulus.adjectives.clear();
+    stimulus.weights.clear();
+    stimulus.clip.emplace().file = file;
+  }
+  Motions handed(files);
+  const CsvTable distances = parse_csv(distances_table.csv(files, handed), "distances.csv");
+  EXPECT_EQ(number(distances, 0, "fingertips_m"),
+            *motion::hands_distance(handed.of(files.sheets[0].target).motion,
+                                    handed.of(files.sheets[0].created).motion));
+  EXPECT_GT(number(distances, 0, "fingertips_m"), 0.03);
+  EXPECT_LT(number(distances, 0, "d_m"), 1e-3);
 }
 
 TEST_F(Tables, VerdictFollowsTheThreshold) {

@@ -21,6 +21,8 @@ ManifestReading reading(const std::string& matching) {
       "  - {id: t2, role: target, adjectives: {quickness: 0.6, largeness: 0.4}}\n"
       "  - {id: p1, role: target, weights: {proud: 1}}\n"
       "  - {id: round, path: [{walk: 2}]}\n"
+      "  - id: pair\n"
+      "    people: [{weights: {sad: 1}, place: {x: -1}}, {path: [{walk: 2}]}]\n"
       "matching: " +
           matching + "\n",
       "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
@@ -59,7 +61,13 @@ TEST(MatchingChecks, RefuseWhatIsNotThere) {
   EXPECT_NE(fault_of("{participants: 2, limit_s: 0}").find(": matching.limit_s: "),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2, targets: [t1, round]}")
-                .find("but this stimulus walks along a path"),
+                .find("but this motion walks along a path"),
+            std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, targets: [t1, pair.b]}")
+                .find("stimuli[4].people[1].path: sliders make one gait cycle"),
+            std::string::npos);
+  EXPECT_NE(fault_of("{participants: 2, targets: [pair]}")
+                .find("has several people; name one of them as a target, such as pair.a"),
             std::string::npos);
   EXPECT_NE(fault_of("{participants: 2}\nquestionnaire: {participants: 2, scales: emotions}")
                 .find("use separate manifests"),
@@ -79,6 +87,23 @@ TEST(MatchingStudy, OffersWhatTheManifestSays) {
   EXPECT_GT(sliders.at("features").at("offered").size(), 3u);
   EXPECT_EQ(sliders.at("weights").at("shown").size(), 10u);
   EXPECT_EQ(study.bundle.targets.size(), 3u);
+}
+
+TEST(MatchingStudy, HasOneOfSeveralPeopleAsTarget) {
+  const Manifest manifest = manifest_with("{participants: 2, targets: [pair.a, t1]}");
+  Motions motions(manifest);
+  const MatchingStudy study = matching_study(manifest, motions);
+  ASSERT_EQ(study.bundle.targets.size(), 2u);
+  // The person walks as the example does, and as a stimulus with that motion.
+  const Eigen::Index examples = static_cast<Eigen::Index>(study.bundle.examples.examples.size());
+  motion::LiveSetting sad{.kind = motion::InterfaceKind::weights};
+  for (Eigen::Index i = 0; i < examples; ++i) {
+    sad.sliders.push_back(study.bundle.examples.examples[static_cast<std::size_t>(i)].name);
+    sad.values.push_back(sad.sliders.back() == "sad" ? 1.0 : 0.0);
+  }
+  motion::LiveCore core(study.bundle);
+  EXPECT_LT(core.distance("pair.a", sad).mean, 1e-3);
+  EXPECT_GT(core.distance("t1", sad).mean, 5e-3);
 }
 
 TEST(MatchingStudy, IsAnotherDesignWithOtherSettings) {
