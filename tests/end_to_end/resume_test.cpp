@@ -116,5 +116,20 @@ TEST_F(Resume, AnInterruptedRunSaysSoAndGoesOn) {
   EXPECT_EQ(resumed.code, 0) << resumed.errors;
 }
 
+TEST(RunFaults, AreToldWhereTheManifestAsksForTheWork) {
+  const Scratch scratch;
+  const std::string manifest =
+      scratch.write("held.yaml",
+                    "mien: 1\nstudy: held\nexamples: {set: builtin:walks-10}\n"
+                    "output: {size: [64, 36], quality: draft}\nstimuli:\n"
+                    "  - {id: walk, weights: {sad: 1}, modify: {ends: {before: 0.5}}}\n");
+  const Ended run = run_mien({"run", manifest, "-o", (scratch.path() / "out").string()});
+  EXPECT_NE(run.code, 0);
+  EXPECT_NE(run.errors.find("held.yaml:6:5: stimuli[0]: the first and last pose of a motion that "
+                            "loops cannot be held; omit ends"),
+            std::string::npos)
+      << run.errors;
+}
+
 }  // namespace
 }  // namespace mien::test

@@ -98,7 +98,7 @@ TEST(AnimationChecks, RefuseWhatCannotBeMeant) {
        "ends: a step with a method has no other changes"},
       {"{ends: hold}", "ends"},
       {"{hands: scale}", "hands: no paths are changed with which those of fingers could be"},
-      {"{emotion: none, hands: scales}", "hands"},
+      {"{paths: 1.5, hands: scales}", "hands"},
       {"{method: hsu, neutral: normal, styled: sad, hands: scale}",
        "hands: a step with a method has no other changes"},
       {"{ends: {before: -1}}", "before"},
