@@ -376,8 +376,7 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
   write_remarks(report, m, in_its_place);
   if (m.hands == FingerPaths::scaled && !has_fingers(clip))
-    report.remarks.emplace_back(
-        "the motion has no fingers whose paths could change with those of the body");
+    report.remarks.emplace_back("the motion has no fingers, so that they could not be scaled");
 
   result.clip = in_its_place ? in_place(repaired) : std::move(repaired);
   result.clip.name = clip.name;

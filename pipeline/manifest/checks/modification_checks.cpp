@@ -97,7 +97,7 @@ class StepChecker : FaultList {
     const bool changes_paths = m.gains || m.paths != 1.0;
     if (step.style || m.hands == motion::FingerPaths::kept || changes_paths) return;
     add(member_path(step.path, "hands"),
-        "no paths are changed with which those of fingers could be",
+        "fingers are scaled with the paths of the body, but these stay as they are",
         "add paths: or gains:, or omit it");
   }
 
