@@ -110,7 +110,7 @@ Clip bending_finger(double mean_deg, double swing_deg, double hz) {
 
 TEST(PathLength, OfFingersStaysUnlessTheyAreScaledAsTheBodyIs) {
   const int index = finger_joint(true, Finger::index, 1);
-  const Clip clip = bending_finger(40.0, 10.0, 3.25);
+  const Clip clip = bending_finger(0.0, 40.0, 3.25);
   const PathGains gains{1.0, 1.8, 1.8, {}};
   for (const auto signal : {RotationSignal::direction_vectors, RotationSignal::quaternions}) {
     const Clip kept = with_path_gains(clip, gains, signal, FingerPaths::kept);
