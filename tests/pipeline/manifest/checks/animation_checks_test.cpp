@@ -137,5 +137,14 @@ TEST(AnimationChecks, RefuseWhatCannotBeMeant) {
   }
 }
 
+TEST(AnimationChecks, LetFingersBeScaledWithPathsOfTheRecipeAndOfTheManifest) {
+  for (const char* modify :
+       {"{paths: 1.4, hands: scale}", "{gains: {middle: 2}, hands: scale}",
+        "{emotion: sad, hands: scale}", "{emotion: sad, paths: 1, hands: keep}"}) {
+    EXPECT_EQ(faults_in(modify), "") << modify;
+  }
+  EXPECT_NE(faults_in("{emotion: sad, paths: 1, hands: scale}"), "");
+}
+
 }  // namespace
 }  // namespace mien::pipeline
