@@ -4,12 +4,14 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/study/server/raw_client.h"
+#include "scenes/face_figure.h"
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"
@@ -247,6 +249,46 @@ TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
     EXPECT_NE(saved.find(text), saved.npos) << text << "\n" << saved;
   const Ended checked = run_mien({"check", manifest.string()});
   EXPECT_EQ(checked.code, 0) << checked.errors;
+}
+
+TEST_F(StudioPage, DrawsTheFingersOfAStickFigureAsFilmsDo) {
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
+  open(MIEN_PROGRAM, 30, "stick, hands: drawn");
+  const json seen = played("onlooker.mjs", {"stick"});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  const json& hands = seen.at("hands");
+  EXPECT_EQ(hands.at("fingers").size(), 30u);
+  EXPECT_EQ(hands.at("fingers")[4], "LeftIndex2");
+  EXPECT_EQ(hands.at("palms"), json({"LeftWrist", "RightWrist"}));
+  EXPECT_EQ(hands.at("whole"), json::array());
+  EXPECT_LT(hands.at("off").get<double>(), 1e-6);
+  EXPECT_LT(hands.at("palm_off").get<double>(), 1e-9);
+  // At rest fingers are straight along the x axis: the radii of scenes/figures/stick_figure.cpp.
+  const json& radii = hands.at("radii");
+  const double scale = radii.at("LeftMiddle1").get<double>() / 0.0108;
+  EXPECT_NEAR(scale, 1.0, 0.05);
+  EXPECT_NEAR(radii.at("LeftMiddle2").get<double>(), 0.0093 * scale, 1e-6);
+  EXPECT_NEAR(radii.at("RightMiddle3").get<double>(), 0.0084 * scale, 1e-6);
+  EXPECT_NEAR(radii.at("RightThumb1").get<double>(), 0.0125 * scale, 1e-6);
+}
+
+TEST_F(StudioPage, MovesTheFaceOfACharacterAsFilmsDo) {
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
+  std::ofstream(folder.path() / "face.glb", std::ios::binary) << face_figure_glb(FaceFormat::gltf);
+  folder.write("talk.csv", "time,jawOpen,mouthSmileLeft\n0,0,1\n4,1,0.5\n");
+  open(MIEN_PROGRAM, 30, "{character: face.glb}, face: {file: talk.csv}, hands: drawn");
+  const json seen = played("onlooker.mjs", {""});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  const double cycle_s = seen.at("cycle_s");
+  for (const auto& [moment, cycles] : {std::pair("quarter", 0.25), std::pair("half_later", 1.5)}) {
+    const json& face = seen.at(moment);
+    EXPECT_EQ(face.size(), face_targets.size());
+    EXPECT_NEAR(face.at("jawOpen").get<double>(), cycles * cycle_s / 4.0, 1e-5) << moment;
+    EXPECT_NEAR(face.at("mouthSmileLeft").get<double>(), 1.0 - cycles * cycle_s / 8.0, 1e-5);
+    EXPECT_EQ(face.at("eyeBlinkLeft").get<double>(), 0.0);
+  }
 }
 
 TEST_F(StudioPage, StopsFilmsAlsoFromAnotherPage) {

@@ -9,9 +9,12 @@
 #include "motion/live/live_core.h"
 #include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 #include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/synthesis.h"
+#include "pipeline/study/figures/figure_message.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 
 namespace mien::pipeline {
@@ -57,16 +60,6 @@ ordered_json distance_json(const motion::Distance& distance) {
           {"by_time", distance.by_time()}};
 }
 
-/// A message: length of the head, head, motion.
-std::string framed(const ordered_json& head, const std::string& bytes) {
-  std::string text = head.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  while ((text.size() + 4) % 8 != 0) text += ' ';
-  const auto length = static_cast<std::uint32_t>(text.size());
-  std::string whole;
-  for (int i = 0; i < 4; ++i) whole += static_cast<char>((length >> (8 * i)) & 0xff);
-  return whole + text + bytes;
-}
-
 DraftFaults as_fault(const std::string& path, const Error& error) {
   return DraftFaults({{{}, path, error.what(), ""}});
 }
@@ -97,6 +90,11 @@ std::string looks_of(const ordered_json& about) {
     looks.push_back(stimulus.value("role", ordered_json()));
   }
   return text_of(looks);
+}
+
+/// Of the film, in which loops are repeated.
+int film_frames(const motion::Clip& clip, const Output& output) {
+  return clip.loops ? output.cycles * clip.frame_count() : clip.frame_count();
 }
 
 const motion::Example& compared(StudioMotion& made) {
@@ -178,25 +176,32 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
           distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
     const Synthesis& synthesis = motion->synthesis;
     const Shown on = shown(document, show);
-    const StudioFigure figure = figures_.fitted_figure(
-        on.figure, on.role, scenes::with_shown_hands(synthesis.motion.clip, on.hands));
+    const motion::Clip clip = scenes::with_shown_hands(synthesis.motion.clip, on.hands);
+    const PageFigure figure =
+        figures_.fitted_figure({.figure = on.figure,
+                                .colours = scenes::colours_of(on.role),
+                                .clip = clip,
+                                .film_frames = film_frames(clip, motion->output)});
     const ordered_json weights = synthesis.weights.size() == 0
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    const ordered_json head = {{"body", body_info(synthesis.motion.clip.body)},
-                               {"findings", findings_json(synthesis.findings)},
-                               {"warnings", synthesis.warnings},
-                               {"notes", synthesis.notes},
-                               {"reached", values_json(synthesis.reached)},
-                               {"weights", weights},
-                               {"modified", synthesis.modified},
-                               {"seconds", took.count()},
-                               {"distance", distance},
-                               {"figure", {{"key", figure.key}, {"joints", figure.joints}}}};
+    const motion::Skeleton& body = clip.body;
+    const ordered_json head = {
+        {"body", body_info(body)},
+        {"hands", motion::is_body(body) ? body_info(motion::with_fingers(body)) : ordered_json()},
+        {"findings", findings_json(synthesis.findings)},
+        {"warnings", synthesis.warnings},
+        {"notes", synthesis.notes},
+        {"reached", values_json(synthesis.reached)},
+        {"weights", weights},
+        {"modified", synthesis.modified},
+        {"seconds", took.count()},
+        {"distance", distance},
+        {"figure", figure_json(figure)}};
     const motion::LiveMotion live{synthesis.motion, synthesis.weights,
                                   motion::foot_plants(synthesis.motion.clip)};
-    return framed(head, motion::to_message(live) + figure.poses);
+    return framed(head, motion::to_message(live) + figure.poses + figure.face);
   } catch (const Error& error) {
     throw as_fault("", error);
   }
@@ -208,8 +213,9 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
   try {
     const Shown on = shown(document, show);
     const CachedMotion motion = made(document, show);
-    return figures_.file(key, on.figure, on.role,
-                         scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands));
+    const motion::Clip clip = scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands);
+    return figures_.file(
+        key, {.figure = on.figure, .colours = scenes::colours_of(on.role), .clip = clip});
   } catch (const Error& error) {
     throw as_fault("", error);
   }

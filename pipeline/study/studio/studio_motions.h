@@ -10,8 +10,8 @@
 
 #include "motion/skeleton/example.h"
 #include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/figures/page_figures.h"
 #include "pipeline/study/studio/studio_draft.h"
-#include "pipeline/study/studio/studio_figures.h"
 #include "scenes/figures/figure.h"
 #include "scenes/figures/figure_colour.h"
 #include "scenes/figures/shown_hands.h"
@@ -43,11 +43,12 @@ class StudioMotions {
   /// The motion of `show`, a stimulus of the document or an example, as bytes:
   ///
   ///     u32 length of the JSON, which is padded with spaces so that 4 + length is a multiple of 8
-  ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
-  ///      "weights": {…}, "modified": …, "seconds": computing time, "distance": {…} or null,
-  ///      "figure": {"key", "joints"} (studio_figures.h)}
+  ///     {"body": …, "hands": the body with its hands' joints or null, "findings": […],
+  ///      "warnings": […], "notes": […], "reached": {…}, "weights": {…}, "modified": …,
+  ///      "seconds": computing time, "distance": {…} or null,
+  ///      "figure": {"key", "joints", "has_hands", "morphs", "face_frames"} (page_figures.h)}
   ///     the motion (motion/live/live_message.h)
-  ///     the poses of the figure's own joints, if it has any (studio_figures.h)
+  ///     the poses of the figure's own joints, if it has any, and the weights of its face
   ///
   /// "distance" is D to the motion of `against`, if given, as `mien motion compare` reports it for
   /// the written clips: "D", "D_sum", "by_joint" (20 values), "by_time" (11 values), in metres.
@@ -85,7 +86,7 @@ class StudioMotions {
   std::deque<Study> studies_;                                      ///< most recently used first
   std::deque<std::pair<std::string, CachedMotion>> motion_cache_;  ///< by request, newest first
   std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by name and looks, newest first
-  StudioFigures figures_;
+  PageFigures figures_;
 };
 
 }  // namespace mien::pipeline

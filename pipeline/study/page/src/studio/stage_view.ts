@@ -1,6 +1,5 @@
 import { element } from "../questionnaire/elements";
 import { FigureView, type Arrangement } from "../figure/figure_view";
-import type { BodyStyle } from "../figure/body_shape";
 import type { Turn } from "../figure/camera_turn";
 import { find } from "./document";
 import { heatColours } from "./heat";
@@ -66,12 +65,6 @@ export class StageView {
     this.paint();
   }
 
-  /** What is drawn here, where no file comes. */
-  private bodyStyle(): BodyStyle {
-    const figure = this.studio.shownOn ?? lookOf(this.studio)["figure"];
-    return nameOf(figure, "mannequin") === "stick" ? "stick" : "mannequin";
-  }
-
   /** Of the motion and of what it is held against. */
   private colours(): string[] {
     const { studio } = this;
@@ -83,14 +76,13 @@ export class StageView {
 
   /** What a view is made for: another one needs another. */
   private shapeNow(): string {
-    return JSON.stringify([this.bodyStyle(), this.studio.made?.body, this.colours()]);
+    return JSON.stringify([this.studio.made?.body, this.colours()]);
   }
 
-  /** A new view where the body or the kind of figure is another; camera and moment stay. */
+  /** A new view where the body or its colour is another; camera and moment stay. */
   private rebuild(): void {
     const { made } = this.studio;
     if (!made) return;
-    const style = this.bodyStyle();
     const shape = this.shapeNow();
     if (this.view && shape === this.shape) return;
     const before: { turn: Turn; phase: number; plays: boolean } | null = this.view
@@ -98,7 +90,7 @@ export class StageView {
     this.view?.release();
     this.view?.element.remove();
     for (const wardrobe of this.wardrobes) wardrobe.beginAnew();
-    this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", style);
+    this.view = new FigureView(made.body, this.colours(), "the motion in three dimensions", made.hands);
     this.shape = shape;
     this.element.prepend(this.view.element);
     if (!before) return;
@@ -121,7 +113,7 @@ export class StageView {
     const { studio } = this;
     const name = figure === 0 ? studio.selected : studio.against;
     const key = made?.figure.key ?? "";
-    this.view!.show(figure, made?.motion ?? null, made?.poses ?? null);
+    this.view!.show(figure, made?.motion ?? null, made?.poses ?? null, made?.face ?? null);
     this.wardrobes[figure]!.want(key, () => studio.figureOf(name, key));
   }
 
