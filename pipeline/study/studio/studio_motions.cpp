@@ -97,6 +97,39 @@ int film_frames(const motion::Clip& clip, const Output& output) {
   return clip.loops ? output.cycles * clip.frame_count() : clip.frame_count();
 }
 
+using Moment = std::chrono::steady_clock::time_point;
+
+double seconds_since(Moment begun) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+/// The answer for several people, whose first is the motion of the timeline.
+std::string people_answer(const PeopleOfFilm& film, PeopleMessage message, Moment begun) {
+  message.head["figures"] = message.keys;
+  const motion::Clip& first = film.shown.people.front().clip;
+  const ordered_json head = {{"body", body_info(first.body)},
+                             {"hands", nullptr},
+                             {"findings", findings_json(film.findings)},
+                             {"warnings", film.warnings},
+                             {"notes", film.notes},
+                             {"reached", ordered_json::object()},
+                             {"weights", ordered_json::object()},
+                             {"modified", ""},
+                             {"seconds", seconds_since(begun)},
+                             {"distance", nullptr},
+                             {"figure", figure_json({})},
+                             {"people", std::move(message.head)}};
+  const motion::LiveMotion live{{.clip = first}, {}, motion::foot_plants(first)};
+  return framed(head, motion::to_message(live) + message.bytes);
+}
+
+/// The file with that key; empty if there is none.
+std::string file_named(const std::string& key, const PeopleMessage& message) {
+  const auto found = std::ranges::find(message.keys, key);
+  if (found == message.keys.end()) return "";
+  return message.files[static_cast<std::size_t>(found - message.keys.begin())];
+}
+
 const motion::Example& compared(StudioMotion& made) {
   if (!made.compared)
     made.compared =
@@ -130,8 +163,8 @@ StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   if (stimulus != nullptr && !stimulus->people.empty())
-    throw Error("\"" + name + "\" has several people, which the studio does not show yet",
-                "edit them in the manifest's file");
+    throw Error("\"" + name + "\" has several people, with whom no motion can be compared",
+                "compare it with a stimulus of one motion");
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
   // As in a run: stimuli from a file or a path need no examples.
@@ -169,6 +202,8 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
   const std::lock_guard lock(mutex_);
   const auto begun = std::chrono::steady_clock::now();
   try {
+    if (const auto people = people_.of(document, show))
+      return people_answer(*people, people_message(people->shown, figures_), begun);
     const CachedMotion motion = made(document, show);
     ordered_json distance;
     if (!against.empty())
@@ -185,7 +220,6 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
     const ordered_json weights = synthesis.weights.size() == 0
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     const motion::Skeleton& body = clip.body;
     const ordered_json head = {
         {"body", body_info(body)},
@@ -196,9 +230,10 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
         {"reached", values_json(synthesis.reached)},
         {"weights", weights},
         {"modified", synthesis.modified},
-        {"seconds", took.count()},
+        {"seconds", seconds_since(begun)},
         {"distance", distance},
-        {"figure", figure_json(figure)}};
+        {"figure", figure_json(figure)},
+        {"people", nullptr}};
     const motion::LiveMotion live{synthesis.motion, synthesis.weights,
                                   motion::foot_plants(synthesis.motion.clip)};
     return framed(head, motion::to_message(live) + figure.poses + figure.face);
@@ -211,6 +246,8 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
                                   const std::string& key) {
   const std::lock_guard lock(mutex_);
   try {
+    if (const auto people = people_.of(document, show))
+      return file_named(key, people_message(people->shown, figures_));
     const Shown on = shown(document, show);
     const CachedMotion motion = made(document, show);
     const motion::Clip clip = scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,13 +21,8 @@ struct FigureFile {
 
 /// What a page shows of a stimulus that can be turned: people who move as in the film.
 struct TurnedMotion {
-  /// A message (figure_message.h). Its JSON has "fps", "frames", "front" (the horizontal direction
-  /// from which several people are seen first: x, z; null for one person), "figures" (the tokens
-  /// of `figures`) and "people": of each
-  /// "body" and "hands" (body_info; null for other than human bodies), "colours" of the middle, the
-  /// left and the right (linear Rec. 709), "file" (an index of `figures`; -1: a stick figure), and
-  /// figure_json. The bytes are, for each person, the world-space poses of the joints
-  /// (PageFigure::poses), of the body's if the figure has no others, and the weights of the face.
+  /// PeopleMessage (shown_people.h), framed (figure_message.h). Its JSON has the tokens of
+  /// `figures`, too.
   std::string bytes;
   std::vector<FigureFile> figures;
 };
@@ -38,17 +33,17 @@ class TurnedMotions {
   /// Keeps a reference to the manifest.
   TurnedMotions(const Manifest& manifest, std::filesystem::path folder);
 
-  /// Nothing if the stimulus is one motion of another figure, or not of a human body: the page then
-  /// shows its motion file. Throws Error.
+  /// Nothing if the stimulus is one motion of a figure that cannot be turned, or not of a human
+  /// body: the page then shows its motion file. Throws Error.
   std::optional<TurnedMotion> of(const Stimulus& stimulus);
 
  private:
-  FigureFile file_of(const std::string& key, const FigureRequest& request);
+  FigureFile written(const std::string& glb);
 
   std::filesystem::path folder_;
   Motions motions_;
   PageFigures figures_;
-  std::map<std::string, FigureFile> files_;  ///< by key
+  std::set<std::string> written_;  ///< tokens
 };
 
 }  // namespace mien::pipeline

@@ -1,17 +1,17 @@
 import { PerspectiveCamera, WebGLRenderer, type Scene } from "three";
 import { letTurn, stand, within, type Turn } from "../figure/camera_turn";
+import { readPeople } from "../figure/people";
 import { floor, litScene } from "../figure/stage";
+import type { Turned } from "../figure/turned";
 import type { Screen, ScreenEvents, TurnedFiles, TurnView } from "./screen";
-import type { Turned } from "./turned";
 import { readTurnedMotion } from "./turned_motion";
-import { readTurnedPeople } from "./turned_people";
 
 const bytesOf = async (url: string): Promise<ArrayBuffer> => (await fetch(url)).arrayBuffer();
 
 async function read({ url, figures, isMotion }: TurnedFiles, colour: string): Promise<Turned> {
   if (isMotion) return readTurnedMotion(await bytesOf(url), colour);
   const [people, ...files] = await Promise.all([url, ...figures].map(bytesOf));
-  return readTurnedPeople(people!, files);
+  return readPeople(people!, files);
 }
 
 class TurnScreen implements Screen {

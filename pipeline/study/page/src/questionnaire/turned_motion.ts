@@ -2,7 +2,7 @@ import {
   AnimationMixer, LoopOnce, Mesh, MeshStandardMaterial, Vector3, type AnimationClip, type Object3D,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import type { Turned } from "./turned";
+import type { Turned } from "../figure/turned";
 
 /** The part that a translation moves is what the camera follows. */
 function hipsOf(figure: Object3D, clip: AnimationClip): Object3D {

@@ -2,6 +2,7 @@
 
 import type { FaceFrames } from "../figure/face";
 import type { JointPoses } from "../figure/figure";
+import { countOfPeople, type PeopleHead } from "../figure/people";
 import { readMotion } from "../live/answers";
 import type { LiveMotion, Slider } from "../live/core";
 import type { Body } from "../figure/body_shape";
@@ -97,6 +98,14 @@ export interface Made {
   poses: JointPoses | null;
   /** How its face moves; null: it does not. */
   face: FaceFrames | null;
+  /** Of several people, of whom the motion is the first's: all of them. */
+  people: People | null;
+}
+
+/** What is told of several people, whose figures are asked for by their keys. */
+export interface People {
+  head: PeopleHead;
+  numbers: Float32Array;
 }
 
 export interface Job {
@@ -147,11 +156,17 @@ export async function make(document: Document, show: string, against: string): P
   const body = { document: about(document, [show, against]), show, against };
   const bytes = await (await answerTo("motion", body).catch(ofWhole(document, body.document))).arrayBuffer();
   const length = new DataView(bytes).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as Omit<Made, "motion" | "poses" | "face">;
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as
+    Omit<Made, "motion" | "poses" | "face" | "people"> & { people: PeopleHead | null };
+  if (head.people) {
+    const peopleAt = bytes.byteLength - 4 * countOfPeople(head.people);
+    return { ...head, motion: readMotion(bytes.slice(4 + length, peopleAt)), poses: null, face: null,
+      people: { head: head.people, numbers: new Float32Array(bytes.slice(peopleAt)) } };
+  }
   const { joints, has_hands, morphs, face_frames } = head.figure;
   const faceAt = bytes.byteLength - 4 * morphs * face_frames;
   const posesAt = faceAt - 4 * 7 * joints * framesOf(bytes, 4 + length);
-  return { ...head, motion: readMotion(bytes.slice(4 + length, posesAt)),
+  return { ...head, people: null, motion: readMotion(bytes.slice(4 + length, posesAt)),
     poses: posesIn(bytes.slice(posesAt, faceAt), has_hands),
     face: morphs > 0 ? { weights: new Float32Array(bytes.slice(faceAt)), frames: face_frames } : null };
 }

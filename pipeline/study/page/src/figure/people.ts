@@ -1,11 +1,11 @@
 import { Color, Group, Quaternion } from "three";
-import { sideOf, type Body } from "../figure/body_shape";
-import { weightsAt, type FaceFrames } from "../figure/face";
-import { Figure } from "../figure/figure";
-import { Skin } from "../figure/skin";
+import { sideOf, type Body } from "./body_shape";
+import { weightsAt, type FaceFrames } from "./face";
+import { Figure } from "./figure";
+import { Skin } from "./skin";
 import type { Turned } from "./turned";
 
-// What the program writes of a stimulus that can be turned (experiment/turned_motions.h).
+// What the program tells of the people of a film (pipeline/study/figures/shown_people.h).
 
 interface PersonHead {
   body: Body;
@@ -20,15 +20,27 @@ interface PersonHead {
   face_frames: number;
 }
 
-interface PeopleHead {
+export interface PeopleHead {
   fps: number;
   frames: number;
   /** From where several people are seen first: x, z. */
   front: [number, number] | null;
   people: PersonHead[];
+  /** Names of the files of figures. */
+  figures: string[];
 }
 
-/** From where its numbers begin to where they end. */
+const jointsOf = ({ joints, body }: PersonHead): number => joints || body.names.length;
+
+/** How many numbers tell of a person's poses and face. */
+const countOf = (person: PersonHead, frames: number): number =>
+  7 * frames * jointsOf(person) + person.morphs * person.face_frames;
+
+/** How many numbers tell of all people. */
+export const countOfPeople = ({ people, frames }: PeopleHead): number =>
+  people.reduce((sum, person) => sum + countOf(person, frames), 0);
+
+/** One of the people; its numbers begin at `begin`. */
 class TurnedPerson {
   readonly figure: Figure;
   readonly count: number;
@@ -38,16 +50,15 @@ class TurnedPerson {
   private nowAt: Float32Array;
   private nowTurned: Float32Array;
   private root = 0;
-  readonly end: number;
 
   constructor(private head: PersonHead, private frames: number, numbers: Float32Array, begin: number) {
-    this.count = head.joints || head.body.names.length;
+    this.count = jointsOf(head);
     const places = frames * this.count;
     const faceAt = begin + 7 * places;
-    this.end = faceAt + head.morphs * head.face_frames;
+    const end = begin + countOf(head, frames);
     this.positions = numbers.subarray(begin, begin + 3 * places);
     this.rotations = numbers.subarray(begin + 3 * places, faceAt);
-    if (head.morphs > 0) this.face = { weights: numbers.subarray(faceAt, this.end), frames: head.face_frames };
+    if (head.morphs > 0) this.face = { weights: numbers.subarray(faceAt, end), frames: head.face_frames };
     this.nowAt = new Float32Array(3 * this.count);
     this.nowTurned = new Float32Array(4 * this.count);
     this.figure = new Figure(head.body, "#808080", head.hands);
@@ -112,13 +123,13 @@ function circleAround(people: TurnedPerson[]): Circle {
 const distanceOf = (circle: Circle): number => Math.min(12, Math.max(3.7, 3.2 * circle.radius + 1));
 
 /** People as in the film, each in a figure of its own. `figures`: the bytes of their files. */
-export async function readTurnedPeople(bytes: ArrayBuffer, figures: ArrayBuffer[]): Promise<Turned> {
-  const length = new DataView(bytes).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as PeopleHead;
-  const numbers = new Float32Array(bytes, 4 + length);
-  const people: TurnedPerson[] = [];
-  for (const person of head.people)
-    people.push(new TurnedPerson(person, head.frames, numbers, people.at(-1)?.end ?? 0));
+export async function peopleOf(head: PeopleHead, numbers: Float32Array, figures: ArrayBuffer[]): Promise<Turned> {
+  let begin = 0;
+  const people = head.people.map((person) => {
+    const made = new TurnedPerson(person, head.frames, numbers, begin);
+    begin += countOf(person, head.frames);
+    return made;
+  });
   await Promise.all(head.people.map(async ({ file }, i) => {
     if (file >= 0) people[i]!.wear(await Skin.read(figures[file]!));
   }));
@@ -135,4 +146,11 @@ export async function readTurnedPeople(bytes: ArrayBuffer, figures: ArrayBuffer[
     middle: () => (people.length > 1 ? circle : people[0]!.place()),
     release: () => people.forEach(({ figure }) => figure.release()),
   };
+}
+
+/** Of a file: a head and its numbers. */
+export function readPeople(bytes: ArrayBuffer, figures: ArrayBuffer[]): Promise<Turned> {
+  const length = new DataView(bytes).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as PeopleHead;
+  return peopleOf(head, new Float32Array(bytes, 4 + length), figures);
 }

@@ -1,7 +1,7 @@
 import type { Object3D } from "three";
-import type { Turn } from "../figure/camera_turn";
+import type { Turn } from "./camera_turn";
 
-/** What a participant may turn, as it moves. */
+/** What is seen from all sides, as it moves. */
 export interface Turned {
   readonly object: Object3D;
   readonly seconds: number;
