@@ -66,20 +66,16 @@ MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder, const std:
   const std::size_t frames = static_cast<std::size_t>(
       parse_film_record(read_file(folder / film_record_path(stimulus.id))).film_frames);
   const double seconds = static_cast<double>(frames) / stimulus.output.fps;
-  const std::optional<TurnedMotion> people = turned.of(stimulus);
-  if (!people)
-    return {.file = folder / "clips" / (stimulus.id + ".glb"),
-            .ending = ".glb",
-            .type = glb_type,
-            .seconds = seconds};
-  MediaFile file = {.file = folder / turned_folder / (token + ".people"),
-                    .ending = ".people",
-                    .type = people_type,
-                    .seconds = seconds,
-                    .figures = people->figures};
-  make_folder(folder / turned_folder);
-  write_file(file.file, people->bytes);
-  return file;
+  if (const std::optional<TurnedMotion> people = turned.of(stimulus, token))
+    return {.file = people->file,
+            .ending = ".people",
+            .type = people_type,
+            .seconds = seconds,
+            .figures = people->figures};
+  return {.file = folder / "clips" / (stimulus.id + ".glb"),
+          .ending = ".glb",
+          .type = glb_type,
+          .seconds = seconds};
 }
 
 MediaFile video_of(const Stimulus& stimulus, const fs::path& folder) {
