@@ -13,7 +13,6 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "scenes/character/face_animation.h"
-#include "scenes/character/hidden_face.h"
 
 namespace mien::scenes {
 
@@ -130,22 +129,6 @@ FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
     }
     frames_.push_back(std::move(weights));
   }
-}
-
-Character with_still_face(Character character, const Face& face) {
-  if (face.is_hidden) return with_hidden_face(std::move(character));
-  const FaceMotion motion(character, face, 1, 1.0);
-  const std::span<const double> weights = motion.at(0);
-  for (SkinnedMesh& mesh : character.meshes) {
-    if (is_morphed(mesh, weights)) {
-      MeshShape shape = morphed_shape(mesh, weights);
-      mesh.positions = std::move(shape.positions);
-      mesh.normals = std::move(shape.normals);
-    }
-    mesh.morphs.clear();
-  }
-  character.face = {};
-  return character;
 }
 
 std::span<const double> FaceMotion::at(int frame) const {

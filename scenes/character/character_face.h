@@ -52,8 +52,4 @@ class FaceMotion {
   std::vector<std::string> warnings_;
 };
 
-/// The character with this face as it is when a film begins, as part of its meshes, which are then
-/// without morph targets. Throws mien::Error as FaceMotion and with_hidden_face.
-Character with_still_face(Character character, const Face& face);
-
 }  // namespace mien::scenes

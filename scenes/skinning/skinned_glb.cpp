@@ -70,6 +70,49 @@ Json primitive_of(const SkinnedMesh& mesh, GlbBuffer& buffer) {
           {"material", mesh.material}};
 }
 
+/// What weight 1 adds to the mesh's positions and normals.
+Json target_of(const SkinnedMesh& mesh, const MorphTarget& target, GlbBuffer& buffer) {
+  const std::vector<std::uint32_t> vertices(target.vertices.begin(), target.vertices.end());
+  const auto added = [&](const std::vector<motion::Vec3>& changes) {
+    std::vector<float> numbers;
+    for (const motion::Vec3& change : changes) append(numbers, change);
+    return add_sparse(buffer, mesh.positions.size(), vertices, numbers, GlbElement::vec3);
+  };
+  Json attributes = {{"POSITION", added(target.positions)}};
+  if (!target.normals.empty()) attributes["NORMAL"] = added(target.normals);
+  return attributes;
+}
+
+/// A mesh of its own for one that has morph targets.
+Json morphed_mesh(const SkinnedMesh& mesh, const std::vector<std::string>& morphs,
+                  GlbBuffer& buffer) {
+  Json primitive = primitive_of(mesh, buffer);
+  Json names = Json::array(), numbers = Json::array();
+  for (const MorphTarget& target : mesh.morphs) {
+    primitive["targets"].push_back(target_of(mesh, target, buffer));
+    names.push_back(morphs[static_cast<std::size_t>(target.morph)]);
+    numbers.push_back(target.morph);
+  }
+  return {{"name", "face"},
+          {"primitives", Json::array({primitive})},
+          {"extras", {{"targetNames", names}, {"morphs", numbers}}}};
+}
+
+/// The meshes of the file, those without morph targets first.
+Json meshes_of(const SkinnedFigure& figure, GlbBuffer& buffer) {
+  Json still = Json::array(), meshes = Json::array();
+  for (const SkinnedMesh& mesh : figure.meshes) {
+    if (mesh.morphs.empty())
+      still.push_back(primitive_of(mesh, buffer));
+    else
+      meshes.push_back(morphed_mesh(mesh, figure.morphs, buffer));
+  }
+  if (still.empty()) return meshes;
+  const Json surface = {{"name", "surface"}, {"primitives", std::move(still)}};
+  meshes.insert(meshes.begin(), surface);
+  return meshes;
+}
+
 Json skin_of(const motion::JointTransforms& bind, GlbBuffer& buffer) {
   std::vector<float> inverse_binds;
   Json joints = Json::array();
@@ -143,17 +186,17 @@ std::string skinned_glb(const SkinnedFigure& figure) {
   Json document;
   document["asset"] = {{"version", "2.0"}, {"generator", "mien"}};
   document["scene"] = 0;
-  Json nodes = joint_nodes(figure), shown = Json::array(), primitives = Json::array();
-  for (std::size_t node = 0; node <= nodes.size(); ++node) shown.push_back(node);
-  nodes.push_back({{"name", "surface"}, {"mesh", 0}, {"skin", 0}});
-  for (const SkinnedMesh& mesh : figure.meshes) primitives.push_back(primitive_of(mesh, buffer));
+  Json nodes = joint_nodes(figure), shown = Json::array(), meshes = meshes_of(figure, buffer);
+  for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh)
+    nodes.push_back({{"name", meshes[mesh]["name"]}, {"mesh", mesh}, {"skin", 0}});
+  for (std::size_t node = 0; node < nodes.size(); ++node) shown.push_back(node);
   Pictures pictures(figure, document, buffer);
   Json materials = Json::array();
   for (const render::Material& material : figure.materials)
     materials.push_back(material_of(material, pictures));
   document["scenes"] = Json::array({{{"nodes", shown}}});
   document["nodes"] = std::move(nodes);
-  document["meshes"] = Json::array({{{"name", "surface"}, {"primitives", primitives}}});
+  document["meshes"] = std::move(meshes);
   document["skins"] = Json::array({skin_of(figure.bind, buffer)});
   document["materials"] = std::move(materials);
   return motion::glb_of(std::move(document), buffer);

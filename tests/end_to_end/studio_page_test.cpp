@@ -4,12 +4,14 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/study/server/raw_client.h"
+#include "scenes/face_figure.h"
 
 #include "end_to_end/browser.h"
 #include "end_to_end/program.h"
@@ -31,11 +33,14 @@ const fs::path pages = fs::path(MIEN_PROGRAM).parent_path() / "pages";
 class StudioAtWork : public testing::Test {
  protected:
   /// With the program at `mien`, until it tells its link. Fewer frames are sooner drawn.
-  void open(const fs::path& mien, int fps = 30, const std::string& figure = "stick") {
+  /// `more`: further stimuli.
+  void open(const fs::path& mien, int fps = 30, const std::string& figure = "stick",
+            const std::string& more = "") {
     std::string quickstart = text_of(fs::path(MIEN_SOURCE_DIR) / "manifests/quickstart.yaml");
     quickstart.replace(quickstart.find("[960, 540], fps: 30"), 19,
                        "[160, 90], fps: " + std::to_string(fps));
     quickstart.replace(quickstart.find("stick"), 5, figure);
+    quickstart.insert(quickstart.find("\nsheets:"), more);
     manifest = folder.write("my.yaml", quickstart);
     const fs::path told = folder.path() / "link.json";
     studio.emplace(std::vector<std::string>{
@@ -247,6 +252,84 @@ TEST_F(StudioPage, ChoosesFiguresCapturesAndOptionsThatTheManifestThenHas) {
     EXPECT_NE(saved.find(text), saved.npos) << text << "\n" << saved;
   const Ended checked = run_mien({"check", manifest.string()});
   EXPECT_EQ(checked.code, 0) << checked.errors;
+}
+
+TEST_F(StudioPage, DrawsTheFingersOfAStickFigureAsFilmsDo) {
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
+  open(MIEN_PROGRAM, 30, "stick, hands: drawn");
+  const json seen = played("onlooker.mjs", {"stick"});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  const json& hands = seen.at("hands");
+  EXPECT_EQ(hands.at("fingers").size(), 30u);
+  EXPECT_EQ(hands.at("fingers")[4], "LeftIndex2");
+  EXPECT_EQ(hands.at("palms"), json({"LeftWrist", "RightWrist"}));
+  EXPECT_EQ(hands.at("whole"), json::array());
+  EXPECT_LT(hands.at("off").get<double>(), 1e-6);
+  EXPECT_LT(hands.at("palm_off").get<double>(), 1e-9);
+  // At rest fingers are straight along the x axis: the radii of scenes/figures/stick_figure.cpp.
+  const json& radii = hands.at("radii");
+  const double scale = radii.at("LeftMiddle1").get<double>() / 0.0108;
+  EXPECT_NEAR(scale, 1.0, 0.05);
+  EXPECT_NEAR(radii.at("LeftMiddle2").get<double>(), 0.0093 * scale, 1e-6);
+  EXPECT_NEAR(radii.at("RightMiddle3").get<double>(), 0.0084 * scale, 1e-6);
+  EXPECT_NEAR(radii.at("RightThumb1").get<double>(), 0.0125 * scale, 1e-6);
+}
+
+TEST_F(StudioPage, MovesTheFaceOfACharacterAsFilmsDo) {
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
+  std::ofstream(folder.path() / "face.glb", std::ios::binary) << face_figure_glb(FaceFormat::gltf);
+  folder.write("talk.csv", "time,jawOpen,mouthSmileLeft\n0,0,1\n4,1,0.5\n");
+  open(MIEN_PROGRAM, 30, "{character: face.glb}, face: {file: talk.csv}, hands: drawn");
+  const json seen = played("onlooker.mjs", {""});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  const double cycle_s = seen.at("cycle_s");
+  for (const auto& [moment, cycles] : {std::pair("quarter", 0.25), std::pair("half_later", 1.5)}) {
+    const json& face = seen.at(moment);
+    EXPECT_EQ(face.size(), face_targets.size());
+    EXPECT_NEAR(face.at("jawOpen").get<double>(), cycles * cycle_s / 4.0, 1e-5) << moment;
+    EXPECT_NEAR(face.at("mouthSmileLeft").get<double>(), 1.0 - cycles * cycle_s / 8.0, 1e-5);
+    EXPECT_EQ(face.at("eyeBlinkLeft").get<double>(), 0.0);
+  }
+}
+
+TEST_F(StudioPage, ShowsSeveralPeopleWhereTheyAreInTheFilm) {
+  if (const std::string why = skip_reason(); !why.empty()) GTEST_SKIP() << why;
+  std::ofstream(folder.path() / "face.glb", std::ios::binary) << face_figure_glb(FaceFormat::gltf);
+  open(MIEN_PROGRAM, 15, "stick, hands: drawn", R"(
+  - id: greet
+    output: {cycles: 1}
+    people:
+      - {weights: {sad: 1}, place: {x: -0.6, turn: 90}, look: {figure: mannequin}}
+      - {weights: {tired: 1}, place: {x: 0.6, z: 0.2, turn: -90}}
+      - weights: {normal: 1}
+        place: {z: -1}
+        look: {figure: {character: face.glb}, face: {jawOpen: 0.25}}
+)");
+  const json seen = played("crowd.mjs", {"greet"});
+  ASSERT_TRUE(seen.is_object());
+  EXPECT_EQ(seen.at("wrong"), json::array());
+  const json& people = seen.at("begun").at("people");
+  ASSERT_EQ(people.size(), 3u);
+  EXPECT_EQ(people.at(0).at("places").size(), 51u);
+  EXPECT_NEAR(people.at(0).at("places").at("Pelvis").at(0).get<double>(), -0.6, 1e-4);
+  EXPECT_EQ(people.at(1).at("balls"), 51);
+  EXPECT_NEAR(people.at(1).at("places").at("ball 1").at(0).get<double>(), 0.6, 1e-4);
+  EXPECT_NEAR(people.at(1).at("places").at("ball 1").at(2).get<double>(), 0.2, 1e-4);
+  EXPECT_NEAR(people.at(2).at("face").at("jawOpen").get<double>(), 0.25, 1e-6);
+  // They walk as they face: the first to the right of the picture, the second to the left.
+  const json& later = seen.at("middle").at("people");
+  EXPECT_GT(later.at(0).at("places").at("Pelvis").at(0).get<double>(), -0.5);
+  EXPECT_LT(later.at(1).at("places").at("ball 1").at(0).get<double>(), 0.5);
+  EXPECT_GT(seen.at("begun").at("camera").at(2).get<double>(), 3.0);
+  EXPECT_EQ(seen.at("canvases"), 1);
+  EXPECT_EQ(seen.at("canvases_then"), 1);
+  EXPECT_NE(seen.at("notes").dump().find("The feet in the timeline are those of a."),
+            std::string::npos);
+  EXPECT_NE(seen.at("motion").get<std::string>().find("several people"), std::string::npos);
+  EXPECT_NE(seen.at("refusal").get<std::string>().find("\"greet\" has several people"),
+            std::string::npos);
 }
 
 TEST_F(StudioPage, StopsFilmsAlsoFromAnotherPage) {

@@ -19,9 +19,28 @@ struct GlbContents {
   /// The numbers of an accessor: floats, or unsigned integers of two or four bytes.
   std::vector<double> numbers(const nlohmann::json& accessor_index) const {
     const nlohmann::json& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());
-    const nlohmann::json& view =
-        json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
     const int type = accessor.at("componentType");
+    if (!accessor.contains("sparse")) return numbers_in(accessor.at("bufferView"), type);
+    const nlohmann::json& sparse = accessor.at("sparse");
+    const std::vector<double> places = numbers_in(sparse.at("indices").at("bufferView"),
+                                                  sparse.at("indices").at("componentType")),
+                              values = numbers_in(sparse.at("values").at("bufferView"), type);
+    const std::size_t components = values.size() / places.size();
+    std::vector<double> whole(accessor.at("count").get<std::size_t>() * components, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      whole.at(static_cast<std::size_t>(places[i / components]) * components + i % components) =
+          values[i];
+    return whole;
+  }
+
+  std::string file(const nlohmann::json& view_index) const {
+    const nlohmann::json& view = json.at("bufferViews").at(view_index.get<std::size_t>());
+    return binary.substr(view.at("byteOffset"), view.at("byteLength"));
+  }
+
+ private:
+  std::vector<double> numbers_in(const nlohmann::json& view_index, int type) const {
+    const nlohmann::json& view = json.at("bufferViews").at(view_index.get<std::size_t>());
     const std::size_t size = type == 5123 ? 2 : 4,
                       count = view.at("byteLength").get<std::size_t>() / size;
     const char* from = binary.data() + view.at("byteOffset").get<std::size_t>();
@@ -33,12 +52,6 @@ struct GlbContents {
     return read;
   }
 
-  std::string file(const nlohmann::json& view_index) const {
-    const nlohmann::json& view = json.at("bufferViews").at(view_index.get<std::size_t>());
-    return binary.substr(view.at("byteOffset"), view.at("byteLength"));
-  }
-
- private:
   template <class Number>
   static double value(const char* bytes) {
     Number number;

@@ -42,17 +42,38 @@ std::size_t add_view(GlbBuffer& buffer, std::string_view bytes, GlbUse use) {
 }
 
 template <typename Number>
+std::string_view bytes_of(const std::vector<Number>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number)};
+}
+
+template <typename Number>
 std::size_t add_numbers(GlbBuffer& buffer, const std::vector<Number>& numbers, GlbElement element,
                         GlbUse use) {
   const auto [name, components] = name_of(element);
-  const std::string_view bytes(reinterpret_cast<const char*>(numbers.data()),
-                               numbers.size() * sizeof(Number));
-  const std::size_t view = add_view(buffer, bytes, use);
+  const std::size_t view = add_view(buffer, bytes_of(numbers), use);
   buffer.accessors.push_back({{"bufferView", view},
                               {"componentType", component_type<Number>()},
                               {"count", numbers.size() / components},
                               {"type", name}});
   return buffer.accessors.size() - 1;
+}
+
+/// The minimum and maximum of each component, also of elements that are 0 if there are any.
+void add_bounds(Json& accessor, const std::vector<float>& numbers, GlbElement element,
+                bool has_zeros) {
+  const std::size_t components = name_of(element).components;
+  Json least = Json::array(), most = Json::array();
+  for (std::size_t c = 0; c < components; ++c) {
+    float low = has_zeros ? 0.0f : numbers[c], high = low;
+    for (std::size_t i = c; i < numbers.size(); i += components) {
+      low = std::min(low, numbers[i]);
+      high = std::max(high, numbers[i]);
+    }
+    least.push_back(low);
+    most.push_back(high);
+  }
+  accessor["min"] = std::move(least);
+  accessor["max"] = std::move(most);
 }
 
 void append_word(std::string& bytes, std::size_t word) {
@@ -86,20 +107,25 @@ std::size_t add(GlbBuffer& buffer, const std::vector<std::uint32_t>& numbers, Gl
 std::size_t add_bounded(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                         GlbUse use) {
   const std::size_t accessor = add(buffer, numbers, element, use);
-  const std::size_t components = name_of(element).components;
-  Json least = Json::array(), most = Json::array();
-  for (std::size_t c = 0; c < components; ++c) {
-    float low = numbers[c], high = numbers[c];
-    for (std::size_t i = c; i < numbers.size(); i += components) {
-      low = std::min(low, numbers[i]);
-      high = std::max(high, numbers[i]);
-    }
-    least.push_back(low);
-    most.push_back(high);
-  }
-  buffer.accessors[accessor]["min"] = std::move(least);
-  buffer.accessors[accessor]["max"] = std::move(most);
+  add_bounds(buffer.accessors[accessor], numbers, element, false);
   return accessor;
+}
+
+std::size_t add_sparse(GlbBuffer& buffer, std::size_t count,
+                       const std::vector<std::uint32_t>& indices, const std::vector<float>& numbers,
+                       GlbElement element) {
+  Json accessor = {{"componentType", component_type<float>()},
+                   {"count", count},
+                   {"type", name_of(element).name}};
+  add_bounds(accessor, numbers, element, indices.size() < count);
+  accessor["sparse"] = {
+      {"count", indices.size()},
+      {"indices",
+       {{"bufferView", add_view(buffer, bytes_of(indices), GlbUse::none)},
+        {"componentType", component_type<std::uint32_t>()}}},
+      {"values", {{"bufferView", add_view(buffer, bytes_of(numbers), GlbUse::none)}}}};
+  buffer.accessors.push_back(std::move(accessor));
+  return buffer.accessors.size() - 1;
 }
 
 std::size_t add_file(GlbBuffer& buffer, std::string_view file) {

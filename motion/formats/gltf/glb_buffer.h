@@ -38,6 +38,12 @@ std::size_t add(GlbBuffer& buffer, const std::vector<std::uint32_t>& numbers, Gl
 std::size_t add_bounded(GlbBuffer& buffer, const std::vector<float>& numbers, GlbElement element,
                         GlbUse use = GlbUse::none);
 
+/// Adds an accessor of `count` elements that are 0 but for those at the ascending `indices`, whose
+/// numbers are given, with the minimum and maximum of each component. There must be at least one.
+std::size_t add_sparse(GlbBuffer& buffer, std::size_t count,
+                       const std::vector<std::uint32_t>& indices, const std::vector<float>& numbers,
+                       GlbElement element);
+
 /// Adds a file, such as an image. Returns the index of its buffer view.
 std::size_t add_file(GlbBuffer& buffer, std::string_view file);
 

@@ -9,6 +9,7 @@
 #include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/manifest/checks/part_checks.h"
+#include "pipeline/manifest/person_figure.h"
 #include "pipeline/manifest/questionnaire_content.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
@@ -20,6 +21,12 @@ namespace {
 using Names = std::vector<std::string>;
 
 std::string at(const char* key) { return member_path("questionnaire", key); }
+
+bool can_people_be_turned(const Stimulus& stimulus) {
+  return std::ranges::all_of(stimulus.people, [&](const Person& person) {
+    return can_be_turned(figure_of(person, stimulus.look));
+  });
+}
 
 /// Holds a questionnaire against the manifest around it.
 class QuestionnaireCheck {
@@ -313,12 +320,12 @@ class QuestionnaireCheck {
     for (const std::string& id : questionnaire_stimuli(manifest_)) {
       const auto found = std::ranges::find(manifest_.stimuli, id, &Stimulus::id);
       if (found == manifest_.stimuli.end()) continue;
-      if (!found->people.empty())
-        return list_.add(
-            at("view"),
-            "the several people of " + motion::in_quotes(id) + " cannot be turned in the browser",
-            "use view: video");
-      if (std::ranges::count(found->output.clips, "glb") > 0) continue;
+      if (!can_people_be_turned(*found))
+        return list_.add(at("view"),
+                         "the figures of the people of " + motion::in_quotes(id) +
+                             " cannot be turned in the browser",
+                         "use view: video, or stick figures, mannequins or characters");
+      if (!found->people.empty() || std::ranges::count(found->output.clips, "glb") > 0) continue;
       return list_.add(at("view"),
                        "the motion of " + motion::in_quotes(id) + " is not written in 3-D",
                        "add output: {clips: [bvh, glb]}");

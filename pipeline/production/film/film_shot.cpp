@@ -8,6 +8,7 @@
 #include "motion/skeleton/clip.h"
 #include "pipeline/manifest/derived_seed.h"
 #include "pipeline/manifest/look/look.h"
+#include "pipeline/manifest/person_figure.h"
 #include "pipeline/production/clips/people_clips.h"
 #include "scenes/figures/figure_colour.h"
 
@@ -49,9 +50,8 @@ motion::Vec3 captured_middle(const Stimulus& stimulus, const std::vector<motion:
 }
 
 /// The figure of a person; dots have its colour too.
-scenes::Figure figure_of(const Person& person, const Look& look) {
-  scenes::Figure figure = scenes::with_face(person.figure ? *person.figure : look.figure,
-                                            person.face ? *person.face : look.face);
+scenes::Figure coloured_figure(const Person& person, const Look& look) {
+  scenes::Figure figure = figure_of(person, look);
   if (auto* dots = scenes::dots_in(figure); dots != nullptr && !person.colour.empty())
     dots->colour = person.colour;
   return figure;
@@ -123,7 +123,7 @@ scenes::Shot shot_of(const Stimulus& stimulus, std::vector<motion::Clip> people,
     const Person& person = stimulus.people[i];
     const std::string_view colour =
         person.colour.empty() ? scenes::person_colour(i) : std::string_view(person.colour);
-    scenes::Figure figure = figure_of(person, stimulus.look);
+    scenes::Figure figure = coloured_figure(person, stimulus.look);
     if (auto* dots = scenes::dots_in(figure)) dots->size_px *= look.pixel_scale;
     performances.push_back({.name = person.name,
                             .clip = std::move(people[i]),

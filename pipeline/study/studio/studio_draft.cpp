@@ -147,9 +147,9 @@ ordered_json document_excerpt(const ordered_json& document, const std::vector<st
                        [&](const auto& id) { return stimulus["id"] == id; });
   };
   const ordered_json all = about["stimuli"];
-  // A foil depends on the stimulus that it names.
+  // A foil depends on the stimulus that it names, an exchanged motion on that of another.
   const bool needs_others = std::any_of(all.begin(), all.end(), [&](const ordered_json& stimulus) {
-    return is_wanted(stimulus) && stimulus.contains("foil");
+    return is_wanted(stimulus) && (stimulus.contains("foil") || stimulus.contains("swap"));
   });
   if (needs_others) return about;
   // A contains depends on a reference, which resolve_holds chooses from all candidates.

@@ -9,9 +9,12 @@
 #include "motion/live/live_core.h"
 #include "motion/live/live_message.h"
 #include "motion/measures/distance/distance.h"
+#include "motion/skeleton/body.h"
+#include "motion/skeleton/hand.h"
 #include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/film/film_shot.h"
 #include "pipeline/production/synthesis/synthesis.h"
+#include "pipeline/study/figures/figure_message.h"
 #include "pipeline/study/live/live_bundle_writer.h"
 
 namespace mien::pipeline {
@@ -57,16 +60,6 @@ ordered_json distance_json(const motion::Distance& distance) {
           {"by_time", distance.by_time()}};
 }
 
-/// A message: length of the head, head, motion.
-std::string framed(const ordered_json& head, const std::string& bytes) {
-  std::string text = head.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  while ((text.size() + 4) % 8 != 0) text += ' ';
-  const auto length = static_cast<std::uint32_t>(text.size());
-  std::string whole;
-  for (int i = 0; i < 4; ++i) whole += static_cast<char>((length >> (8 * i)) & 0xff);
-  return whole + text + bytes;
-}
-
 DraftFaults as_fault(const std::string& path, const Error& error) {
   return DraftFaults({{{}, path, error.what(), ""}});
 }
@@ -97,6 +90,44 @@ std::string looks_of(const ordered_json& about) {
     looks.push_back(stimulus.value("role", ordered_json()));
   }
   return text_of(looks);
+}
+
+/// Of the film, in which loops are repeated.
+int film_frames(const motion::Clip& clip, const Output& output) {
+  return clip.loops ? output.cycles * clip.frame_count() : clip.frame_count();
+}
+
+using Moment = std::chrono::steady_clock::time_point;
+
+double seconds_since(Moment begun) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+/// The answer for several people, whose first is the motion of the timeline.
+std::string people_answer(const PeopleOfFilm& film, PeopleMessage message, Moment begun) {
+  message.head["figures"] = message.keys;
+  const motion::Clip& first = film.shown.people.front().clip;
+  const ordered_json head = {{"body", body_info(first.body)},
+                             {"hands", nullptr},
+                             {"findings", findings_json(film.findings)},
+                             {"warnings", film.warnings},
+                             {"notes", film.notes},
+                             {"reached", ordered_json::object()},
+                             {"weights", ordered_json::object()},
+                             {"modified", ""},
+                             {"seconds", seconds_since(begun)},
+                             {"distance", nullptr},
+                             {"figure", figure_json({})},
+                             {"people", std::move(message.head)}};
+  const motion::LiveMotion live{{.clip = first}, {}, motion::foot_plants(first)};
+  return framed(head, motion::to_message(live) + message.bytes);
+}
+
+/// The file with that key; empty if there is none.
+std::string file_named(const std::string& key, const PeopleMessage& message) {
+  const auto found = std::ranges::find(message.keys, key);
+  if (found == message.keys.end()) return "";
+  return message.files[static_cast<std::size_t>(found - message.keys.begin())];
 }
 
 const motion::Example& compared(StudioMotion& made) {
@@ -132,8 +163,8 @@ StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
   const Stimulus* stimulus = find_stimulus(manifest, name);
   if (stimulus != nullptr && !stimulus->people.empty())
-    throw Error("\"" + name + "\" has several people, which the studio does not show yet",
-                "edit them in the manifest's file");
+    throw Error("\"" + name + "\" has several people, with whom no motion can be compared",
+                "compare it with a stimulus of one motion");
   auto motion = std::make_shared<StudioMotion>();
   motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
   // As in a run: stimuli from a file or a path need no examples.
@@ -171,6 +202,8 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
   const std::lock_guard lock(mutex_);
   const auto begun = std::chrono::steady_clock::now();
   try {
+    if (const auto people = people_.of(document, show))
+      return people_answer(*people, people_message(people->shown, figures_), begun);
     const CachedMotion motion = made(document, show);
     ordered_json distance;
     if (!against.empty())
@@ -178,25 +211,32 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
           distance_json(motion::distance(compared(*made(document, against)), compared(*motion)));
     const Synthesis& synthesis = motion->synthesis;
     const Shown on = shown(document, show);
-    const StudioFigure figure = figures_.fitted_figure(
-        on.figure, on.role, scenes::with_shown_hands(synthesis.motion.clip, on.hands));
+    const motion::Clip clip = scenes::with_shown_hands(synthesis.motion.clip, on.hands);
+    const PageFigure figure =
+        figures_.fitted_figure({.figure = on.figure,
+                                .colours = scenes::colours_of(on.role),
+                                .clip = clip,
+                                .film_frames = film_frames(clip, motion->output)});
     const ordered_json weights = synthesis.weights.size() == 0
                                      ? ordered_json::object()
                                      : weights_json(synthesis, study(document).repertoire());
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
-    const ordered_json head = {{"body", body_info(synthesis.motion.clip.body)},
-                               {"findings", findings_json(synthesis.findings)},
-                               {"warnings", synthesis.warnings},
-                               {"notes", synthesis.notes},
-                               {"reached", values_json(synthesis.reached)},
-                               {"weights", weights},
-                               {"modified", synthesis.modified},
-                               {"seconds", took.count()},
-                               {"distance", distance},
-                               {"figure", {{"key", figure.key}, {"joints", figure.joints}}}};
+    const motion::Skeleton& body = clip.body;
+    const ordered_json head = {
+        {"body", body_info(body)},
+        {"hands", motion::is_body(body) ? body_info(motion::with_fingers(body)) : ordered_json()},
+        {"findings", findings_json(synthesis.findings)},
+        {"warnings", synthesis.warnings},
+        {"notes", synthesis.notes},
+        {"reached", values_json(synthesis.reached)},
+        {"weights", weights},
+        {"modified", synthesis.modified},
+        {"seconds", seconds_since(begun)},
+        {"distance", distance},
+        {"figure", figure_json(figure)},
+        {"people", nullptr}};
     const motion::LiveMotion live{synthesis.motion, synthesis.weights,
                                   motion::foot_plants(synthesis.motion.clip)};
-    return framed(head, motion::to_message(live) + figure.poses);
+    return framed(head, motion::to_message(live) + figure.poses + figure.face);
   } catch (const Error& error) {
     throw as_fault("", error);
   }
@@ -206,10 +246,13 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
                                   const std::string& key) {
   const std::lock_guard lock(mutex_);
   try {
+    if (const auto people = people_.of(document, show))
+      return file_named(key, people_message(people->shown, figures_));
     const Shown on = shown(document, show);
     const CachedMotion motion = made(document, show);
-    return figures_.file(key, on.figure, on.role,
-                         scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands));
+    const motion::Clip clip = scenes::with_shown_hands(motion->synthesis.motion.clip, on.hands);
+    return figures_.file(
+        key, {.figure = on.figure, .colours = scenes::colours_of(on.role), .clip = clip});
   } catch (const Error& error) {
     throw as_fault("", error);
   }

@@ -10,8 +10,9 @@
 
 #include "motion/skeleton/example.h"
 #include "pipeline/production/synthesis/motions.h"
+#include "pipeline/study/figures/page_figures.h"
 #include "pipeline/study/studio/studio_draft.h"
-#include "pipeline/study/studio/studio_figures.h"
+#include "pipeline/study/studio/studio_people.h"
 #include "scenes/figures/figure.h"
 #include "scenes/figures/figure_colour.h"
 #include "scenes/figures/shown_hands.h"
@@ -32,7 +33,7 @@ struct StudioMotion {
 /// Thread-safe; one motion is synthesized at a time.
 class StudioMotions {
  public:
-  explicit StudioMotions(DraftReader& reader) : reader_(reader) {}
+  explicit StudioMotions(DraftReader& reader) : reader_(reader), people_(reader) {}
 
   /// What a page can choose from with the document's examples: "examples" and "sliders" as in
   /// LiveInfo (pipeline/study/page/src/live/core.ts), "blendable": whether the examples can be
@@ -43,11 +44,15 @@ class StudioMotions {
   /// The motion of `show`, a stimulus of the document or an example, as bytes:
   ///
   ///     u32 length of the JSON, which is padded with spaces so that 4 + length is a multiple of 8
-  ///     {"body": …, "findings": […], "warnings": […], "notes": […], "reached": {…},
-  ///      "weights": {…}, "modified": …, "seconds": computing time, "distance": {…} or null,
-  ///      "figure": {"key", "joints"} (studio_figures.h)}
-  ///     the motion (motion/live/live_message.h)
-  ///     the poses of the figure's own joints, if it has any (studio_figures.h)
+  ///     {"body": …, "hands": the body with its hands' joints or null, "findings": […],
+  ///      "warnings": […], "notes": […], "reached": {…}, "weights": {…}, "modified": …,
+  ///      "seconds": computing time, "distance": {…} or null,
+  ///      "figure": {"key", "joints", "has_hands", "morphs", "face_frames"} (page_figures.h),
+  ///      "people": null, or the JSON of several people (shown_people.h) with the keys of their
+  ///      "figures"}
+  ///     the motion (motion/live/live_message.h); of several people the first's in their film
+  ///     the poses of the figure's own joints, if it has any, and the weights of its face; or those
+  ///     of all people (shown_people.h)
   ///
   /// "distance" is D to the motion of `against`, if given, as `mien motion compare` reports it for
   /// the written clips: "D", "D_sum", "by_joint" (20 values), "by_time" (11 values), in metres.
@@ -55,7 +60,8 @@ class StudioMotions {
   std::string motion(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& against);
 
-  /// The GLB file of the figure of `show`; empty if its key is not `key`. Throws DraftFaults.
+  /// The GLB file of the figure of `show`, or of one of its people; empty if its key is not `key`.
+  /// Throws DraftFaults.
   std::string figure(const nlohmann::ordered_json& document, const std::string& show,
                      const std::string& key);
 
@@ -85,7 +91,8 @@ class StudioMotions {
   std::deque<Study> studies_;                                      ///< most recently used first
   std::deque<std::pair<std::string, CachedMotion>> motion_cache_;  ///< by request, newest first
   std::deque<std::pair<std::string, Shown>> shown_cache_;  ///< by name and looks, newest first
-  StudioFigures figures_;
+  PageFigures figures_;
+  StudioPeople people_;
 };
 
 }  // namespace mien::pipeline

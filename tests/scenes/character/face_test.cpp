@@ -14,7 +14,6 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/temporary_folder.h"
 #include "scenes/character/character_face.h"
-#include "scenes/character/character_glb.h"
 #include "scenes/character/hidden_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
@@ -321,18 +320,6 @@ TEST(AHiddenFace, IsRefusedWithoutAHead) {
   });
   EXPECT_NE(mien::test::refusal_of([&] { with_hidden_face(character); }).find("no face to hide"),
             std::string::npos);
-}
-
-TEST(AStillFace, IsPartOfTheMeshesOfItsGlb) {
-  const Character character = face_character(FaceFormat::gltf);
-  Face smile;
-  smile.weights = {{"mouthSmileLeft", 1.0}};
-  const Character still = with_still_face(character, smile);
-  const auto expected =
-      posed(character, turned_head(), morph_weights(character, {{"mouthSmileLeft", 1.0}}));
-  EXPECT_LT(difference(posed(still, turned_head()), expected), 1e-6);
-  EXPECT_NE(to_glb(still), to_glb(character));
-  EXPECT_EQ(to_glb(with_still_face(character, {})), to_glb(character));
 }
 
 TEST(AnActor, HasTheFaceOfItsFigureInEachFrame) {

@@ -1,13 +1,16 @@
 #include "scenes/skinning/skinned_glb.h"
 
 #include <random>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "motion/math/rotation.h"
 #include "render/scene/texture_io.h"
 #include "scenes/character/character_glb.h"
+#include "scenes/face_figure.h"
 #include "scenes/glb_contents.h"
 #include "scenes/mannequin/mannequin.h"
 #include "scenes/skinned_gltf.h"
@@ -98,6 +101,78 @@ TEST(ASkinnedGlb, OfAMannequinIsNearTheOneOfFilms) {
   const render::Mesh film = posed(mannequin, body, pose);
   for (std::size_t v = 0; v < bent.size(); ++v)
     EXPECT_LT((bent[v] - film.positions[v].cast<double>()).norm(), 0.02);
+}
+
+/// The three numbers of each vertex.
+std::vector<Vec3> vectors(const GlbContents& glb, const nlohmann::json& accessor) {
+  const std::vector<double> numbers = glb.numbers(accessor);
+  std::vector<Vec3> list;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) list.emplace_back(numbers.data() + i);
+  return list;
+}
+
+/// Positions and normals of a mesh of the file with its targets, as three.js adds them.
+MeshShape shape_in(const GlbContents& glb, const nlohmann::json& mesh,
+                   const std::vector<double>& weights) {
+  const nlohmann::json& primitive = mesh["primitives"][0];
+  MeshShape shape{vectors(glb, primitive["attributes"]["POSITION"]),
+                  vectors(glb, primitive["attributes"]["NORMAL"])};
+  for (std::size_t t = 0; t < primitive["targets"].size(); ++t) {
+    const nlohmann::json& target = primitive["targets"][t];
+    const double weight = weights[mesh["extras"]["morphs"][t].get<std::size_t>()];
+    const auto moves = vectors(glb, target["POSITION"]), turns = vectors(glb, target["NORMAL"]);
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      shape.positions[v] += weight * moves[v];
+      shape.normals[v] += weight * turns[v];
+    }
+  }
+  return shape;
+}
+
+TEST(ASkinnedGlb, HasTheMorphTargetsOfItsCharacter) {
+  const Character character =
+      parse_character(test::face_figure_glb(test::FaceFormat::vrm), "face.glb");
+  const GlbContents glb = test::glb_contents(to_glb(character));
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> weight(0.0, 1.0);
+  std::vector<double> weights;
+  for (int m = 0; m < character.face.morph_count; ++m) weights.push_back(weight(random));
+  std::size_t next = 1;  // after the mesh of those without targets
+  std::set<std::string> names;
+  for (const SkinnedMesh& mesh : character.meshes) {
+    if (mesh.morphs.empty()) continue;
+    const nlohmann::json& written = glb.json["meshes"].at(next++);
+    const MeshShape expected = morphed_shape(mesh, weights),
+                    shape = shape_in(glb, written, weights);
+    ASSERT_EQ(shape.positions.size(), expected.positions.size());
+    for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+      EXPECT_LT((shape.positions[v] - expected.positions[v]).norm(), 1e-6);
+      EXPECT_LT((shape.normals[v].normalized() - expected.normals[v]).norm(), 1e-4);
+    }
+    for (const nlohmann::json& name : written["extras"]["targetNames"]) names.insert(name);
+  }
+  EXPECT_EQ(next, glb.json["meshes"].size());
+  EXPECT_EQ(names, (std::set<std::string>(test::face_targets.begin(), test::face_targets.end())));
+}
+
+TEST(ASkinnedGlb, StatesTheBoundsOfItsTargets) {
+  const Character character =
+      parse_character(test::face_figure_glb(test::FaceFormat::gltf), "face.glb");
+  const GlbContents glb = test::glb_contents(to_glb(character));
+  int targets = 0;
+  for (const nlohmann::json& mesh : glb.json["meshes"]) {
+    for (const nlohmann::json& target : mesh["primitives"][0].value("targets", nlohmann::json())) {
+      Eigen::AlignedBox3d box;
+      for (const Vec3& move : vectors(glb, target["POSITION"])) box.extend(move);
+      const nlohmann::json& accessor = glb.json["accessors"][target["POSITION"].get<std::size_t>()];
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(accessor["min"][axis].get<double>(), box.min()[axis]);
+        EXPECT_EQ(accessor["max"][axis].get<double>(), box.max()[axis]);
+      }
+      ++targets;
+    }
+  }
+  EXPECT_GE(targets, 10);
 }
 
 TEST(ASkinnedGlb, HasFourJointsAVertexWhoseWeightsAreOne) {

@@ -158,6 +158,7 @@ void add_media(ordered_json& experiment, const MediaFiles& media) {
   for (const auto& [stimulus, file] : media) by_token[file.token] = {stimulus, &file};
   ordered_json files = ordered_json::object();
   ordered_json stimuli = ordered_json::object();
+  std::map<std::string, std::string> figures;  // hashes by token
   for (const auto& [token, shown] : by_token) {
     const MediaFile& file = *shown.second;
     files[token] = {{"file", "media/" + token + file.ending},
@@ -167,8 +168,19 @@ void add_media(ordered_json& experiment, const MediaFiles& media) {
                     {"width", file.width},
                     {"height", file.height}};
     if (file.has_sound) files[token]["sound"] = true;
+    for (const FigureFile& figure : file.figures) {
+      files[token]["figures"].push_back(figure.token);
+      figures[figure.token] = figure.sha256;
+    }
     stimuli[token] = shown.first;
   }
+  for (const auto& [token, sha256] : figures)
+    files[token] = {{"file", "media/" + token + ".glb"},
+                    {"type", glb_type},
+                    {"sha256", sha256},
+                    {"seconds", 0.0},
+                    {"width", 0},
+                    {"height", 0}};
   experiment["media"] = std::move(files);
   experiment["stimuli"] = std::move(stimuli);
 }

@@ -31,9 +31,16 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 /// A page opened from a file cannot fetch a motion file next to it, but can load it as a script.
-std::string as_script(const MediaFile& file, std::string_view bytes) {
-  return fmt::format("(globalThis.mienMedia ?\?= {{}})[\"{}\"] = \"{}\";\n", file.token,
+std::string as_script(const std::string& token, std::string_view bytes) {
+  return fmt::format("(globalThis.mienMedia ?\?= {{}})[\"{}\"] = \"{}\";\n", token,
                      in_base64(bytes));
+}
+
+/// Adds a media file and, unless it is a video, its script.
+void add_media(ZipFiles& files, const std::string& token, const std::string& ending,
+               std::string bytes, bool is_video) {
+  if (!is_video) files["media/" + token + ".js"] = as_script(token, bytes);
+  files["media/" + token + ending] = std::move(bytes);
 }
 
 ZipFiles page_files(const fs::path& pages, bool is_turned) {
@@ -164,9 +171,11 @@ ZipFiles exported_questionnaire(const Manifest& manifest, const std::vector<Sess
   ZipFiles files = page_files(pages, questionnaire_of(manifest).view == ShownAs::turn);
   files["experiment.js"] = "globalThis.mienExperiment = " + experiment.dump() + ";\n";
   for (const auto& [stimulus, file] : media) {
-    std::string bytes = read_file(file.file);
-    if (file.ending == ".glb") files["media/" + file.token + ".js"] = as_script(file, bytes);
-    files["media/" + file.token + file.ending] = std::move(bytes);
+    add_media(files, file.token, file.ending, read_file(file.file),
+              file.type.starts_with("video/"));
+    for (const FigureFile& figure : file.figures)
+      if (!files.contains("media/" + figure.token + ".glb"))
+        add_media(files, figure.token, ".glb", read_file(figure.file), false);
   }
   // JATOS gets only the files that participants need.
   ZipFiles assets = files;

@@ -35,7 +35,10 @@ constexpr std::array web_videos = {WebVideo{VideoKind::mp4, "video/mp4"},
                                    WebVideo{VideoKind::webm, "video/webm"},
                                    WebVideo{VideoKind::webm_av1, "video/webm"}};
 
-constexpr char motion_type[] = "model/gltf-binary";
+constexpr char people_type[] = "application/octet-stream";
+
+/// In the output folder of a study.
+constexpr char turned_folder[] = ".mien/turned";
 
 std::optional<WebVideo> web_video_of(const Output& output) {
   for (const WebVideo& video : web_videos)
@@ -56,13 +59,23 @@ std::set<std::string> stimuli_in(const std::vector<SessionPlan>& plans) {
   return stimuli;
 }
 
-MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder) {
+/// Of a motion that is turned: people in the figures of the film or, where these cannot be turned,
+/// the motion file.
+MediaFile motion_of(const Stimulus& stimulus, const fs::path& folder, const std::string& token,
+                    TurnedMotions& turned) {
   const std::size_t frames = static_cast<std::size_t>(
       parse_film_record(read_file(folder / film_record_path(stimulus.id))).film_frames);
+  const double seconds = static_cast<double>(frames) / stimulus.output.fps;
+  if (const std::optional<TurnedMotion> people = turned.of(stimulus, token))
+    return {.file = people->file,
+            .ending = ".people",
+            .type = people_type,
+            .seconds = seconds,
+            .figures = people->figures};
   return {.file = folder / "clips" / (stimulus.id + ".glb"),
           .ending = ".glb",
-          .type = motion_type,
-          .seconds = static_cast<double>(frames) / stimulus.output.fps};
+          .type = glb_type,
+          .seconds = seconds};
 }
 
 MediaFile video_of(const Stimulus& stimulus, const fs::path& folder) {
@@ -92,7 +105,8 @@ Manifest with_media(Manifest manifest) {
   for (Stimulus& stimulus : manifest.stimuli) {
     if (!shown.contains(stimulus.id)) continue;
     std::vector<std::string>& clips = stimulus.output.clips;
-    if (questionnaire.view == ShownAs::turn && std::ranges::count(clips, "glb") == 0)
+    if (questionnaire.view == ShownAs::turn && stimulus.people.empty() &&
+        std::ranges::count(clips, "glb") == 0)
       clips.emplace_back("glb");
     if (questionnaire.view == ShownAs::video && !web_video_of(stimulus.output))
       throw Error(place_of(manifest.places, stimulus.path),
@@ -105,14 +119,17 @@ Manifest with_media(Manifest manifest) {
 MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                     const fs::path& folder) {
   const bool is_turned = questionnaire_of(manifest).view == ShownAs::turn;
+  TurnedMotions turned(manifest, folder / turned_folder);
   MediaFiles media;
   for (const std::string& id : stimuli_in(plans)) {
     const Stimulus& stimulus = *find_stimulus(manifest, id);
-    MediaFile file = is_turned ? motion_of(stimulus, folder) : video_of(stimulus, folder);
+    const std::string token = media_token(manifest, id);
+    MediaFile file =
+        is_turned ? motion_of(stimulus, folder, token, turned) : video_of(stimulus, folder);
     std::error_code unknown;
     if (!fs::is_regular_file(file.file, unknown))
       throw Error({file.file.string()}, "is not there", "make the study again with mien run");
-    file.token = media_token(manifest, id);
+    file.token = token;
     file.sha256 = sha256_of(read_file(file.file));
     media.emplace(id, std::move(file));
   }

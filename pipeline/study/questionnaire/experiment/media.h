@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/study/questionnaire/experiment/turned_motions.h"
 #include "pipeline/study/questionnaire/session_plan.h"
 
 namespace mien::pipeline {
@@ -21,7 +22,11 @@ struct MediaFile {
   int width = 0;         ///< pixels; 0 for a 3-D motion
   int height = 0;
   bool has_sound = false;
+  std::vector<FigureFile> figures = {};  ///< that a turned motion shows
 };
+
+/// Media type of the GLB files of motions and figures.
+inline constexpr char glb_type[] = "model/gltf-binary";
 
 /// Media files by stimulus id.
 using MediaFiles = std::map<std::string, MediaFile>;
@@ -30,8 +35,8 @@ using MediaFiles = std::map<std::string, MediaFile>;
 /// if the questionnaire shows videos and a shown stimulus has none that browsers can play.
 Manifest with_media(Manifest manifest);
 
-/// The media of all stimuli in the plans, in the output folder of the study. Throws Error for
-/// missing files.
+/// The media of all stimuli in the plans, in the output folder of the study; motions that are
+/// turned are written there (turned_motions.h). Throws Error for missing files.
 MediaFiles media_of(const Manifest& manifest, const std::vector<SessionPlan>& plans,
                     const std::filesystem::path& folder);
 

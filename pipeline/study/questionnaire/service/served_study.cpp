@@ -24,6 +24,18 @@ std::set<std::string> tokens_of(const nlohmann::ordered_json& session) {
   return tokens;
 }
 
+/// With those of the figures that the media show.
+std::set<std::string> with_figures(std::set<std::string> tokens,
+                                   const nlohmann::ordered_json& media) {
+  std::set<std::string> all = tokens;
+  for (const std::string& token : tokens) {
+    const auto file = media.find(token);
+    if (file == media.end() || !file->contains("figures")) continue;
+    for (const auto& figure : file->at("figures")) all.insert(figure.get<std::string>());
+  }
+  return all;
+}
+
 /// The parts of experiment.json that all sessions share, without media.
 nlohmann::ordered_json shared_part(const ServedStudy& study) {
   nlohmann::ordered_json own;
@@ -49,7 +61,11 @@ ServedStudy served_study(const Manifest& manifest, const std::vector<SessionPlan
   ServedStudy study{.experiment = experiment_json(manifest, plans, media),
                     .plans = plans,
                     .page = served_page(pages)};
-  for (const auto& [stimulus, file] : media) study.media[file.token] = {file.file, file.type};
+  for (const auto& [stimulus, file] : media) {
+    study.media[file.token] = {file.file, file.type};
+    for (const FigureFile& figure : file.figures)
+      study.media[figure.token] = {figure.file, glb_type};
+  }
   study.facts = questionnaire_facts(study.experiment);
   return study;
 }
@@ -66,7 +82,8 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
   nlohmann::ordered_json session =
       study.experiment.at("sessions").at(static_cast<std::size_t>(plan));
   session["participant"] = participant;
-  const std::set<std::string> tokens = tokens_of(session);
+  const std::set<std::string> tokens =
+      with_figures(tokens_of(session), study.experiment.at("media"));
   for (const auto& [token, media] : study.experiment.at("media").items()) {
     if (!tokens.contains(token)) continue;
     own["media"][token] = media;

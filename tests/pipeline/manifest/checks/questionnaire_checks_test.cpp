@@ -341,6 +341,26 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
   }
 }
 
+TEST(QuestionnaireChecks, LetPeopleBeTurnedUnlessTheyAreDots) {
+  const auto faults_of = [](const std::string& figure) {
+    const ManifestReading reading = parse_manifest(
+        "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {figure: " + figure +
+            "}\nstimuli:\n  - id: pair\n    people: [{weights: {sad: 1}, place: {x: -1}}, "
+            "{weights: "
+            "{happy: 1}, place: {x: 1}}]\nquestionnaire: {participants: 2, scales: all, view: "
+            "turn}\n",
+        "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
+    return reading.faults.empty() ? std::string() : Faults(reading.faults).what();
+  };
+  EXPECT_EQ(faults_of("stick"), "");
+  EXPECT_EQ(faults_of("mannequin"), "");
+  const std::string dots = faults_of("point-light");
+  EXPECT_NE(dots.find("m.yaml:8:57: questionnaire.view: the figures of the people of \"pair\" "
+                      "cannot be turned in the browser"),
+            std::string::npos)
+      << dots;
+}
+
 TEST(QuestionnaireChecks, WarnOfAttentionChecksThatLeaveNobodyOut) {
   const auto warnings = [](const char* attention) {
     const std::string members = "participants: 4, scales: [sad-happy], attention: {every: ";

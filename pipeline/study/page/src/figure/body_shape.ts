@@ -13,26 +13,48 @@ const thickness: Record<string, [number, number]> = {
   Wrist: [0.027, 0.024], Hip: [0.06, 0.043], Knee: [0.046, 0.031], Ankle: [0.034, 0.026],
 };
 const plain: [number, number] = [0.027, 0.02];
-/** A mannequin's limbs, or balls and thin sticks. */
-export type BodyStyle = "mannequin" | "stick";
-const stick: [number, number] = [0.026, 0.014];
 const headRadius = 0.092;
+/** From the knuckle to the tip: of each joint, and of the tip. */
+const thumbRadii = [0.0125, 0.011, 0.0098, 0.008];
+const fingerRadii = [0.0108, 0.0093, 0.0084, 0.0072];
+const palmBoneRadius = 0.014;
+const statureOfRadii = 1.75;
 
-const thicknessOf = (joint: string, style: BodyStyle): [number, number] =>
-  style === "stick" ? stick : thickness[joint.replace(/^(Left|Right)/, "")] ?? plain;
+const fingerName = /^(?:Left|Right)(Thumb|Index|Middle|Ring|Little)([123])$/;
+
+/** Of a finger's joint: the radii of the joint and of the next one, or the tip; null for other joints. */
+function fingerThickness(joint: string): [number, number] | null {
+  const found = fingerName.exec(joint);
+  if (!found) return null;
+  const segment = Number(found[2]) - 1;
+  const radii = found[1] === "Thumb" ? thumbRadii : fingerRadii;
+  return [radii[segment]!, radii[segment + 1]!];
+}
+
+const thicknessOf = (joint: string): [number, number] =>
+  fingerThickness(joint) ?? thickness[joint.replace(/^(Left|Right)/, "")] ?? plain;
+
+/** Hips and clavicles branch off the trunk: the bone to them has their own thickness. */
+const branches = (joint: string): boolean => /(Hip|Clavicle)$/.test(joint);
 
 /** "left", "right" or neither: figures are shaded by it. */
 export const sideOf = (joint: string): string =>
   joint.startsWith("Left") ? "left" : joint.startsWith("Right") ? "right" : "";
 
-/** A body as big as its legs say, beside the one that the radii are of. */
+/** Beside the body that the radii are of, as in films (motion::standing_height). */
 function scaleOf(body: Body): number {
-  const length = (joint: string): number => {
-    const at = body.names.indexOf(joint);
-    return at < 0 ? 0 : Math.hypot(...body.offsets[at]!);
-  };
-  const legs = length("LeftKnee") + length("LeftAnkle");
-  return legs > 0 ? Math.min(4, Math.max(0.2, legs / 0.84)) : 1;
+  const heights: number[] = [];
+  let lowest = 0;
+  let highest = 0;
+  body.offsets.forEach((offset, joint) => {
+    const parent = body.parents[joint]!;
+    heights.push(parent < 0 ? 0 : heights[parent]! + offset[1]!);
+    if (fingerName.test(body.names[joint]!)) return;
+    const tip = heights[joint]! + (body.tips[joint]?.[1] ?? 0);
+    lowest = Math.min(lowest, heights[joint]!, tip);
+    highest = Math.max(highest, heights[joint]!, tip);
+  });
+  return highest > lowest ? Math.min(4, Math.max(0.2, (highest - lowest) / statureOfRadii)) : 1;
 }
 
 const up = new Vector3(0, 1, 0);
@@ -63,25 +85,49 @@ function head(tip: Vector3, scale: number): BufferGeometry[] {
   return [...bone(from, to, 0.82 * radius, radius), ball(radius, to), visor];
 }
 
-/** What a joint carries, in its own frame: its ball and the bones to its children or its tip. */
-export function jointShape(body: Body, joint: number, style: BodyStyle = "mannequin"): BufferGeometry {
-  const scale = scaleOf(body);
-  const radii = (of: number) =>
-    thicknessOf(body.names[of]!, style).map((radius) => radius * scale) as [number, number];
-  const [near, far] = radii(joint);
-  const parent = body.parents[joint]!;
+/** The tip of a finger's last bone, which ends where its surface does. */
+const bluntTip = (tip: Vector3, radius: number): Vector3 =>
+  tip.clone().addScaledVector(tip.clone().normalize(), -radius);
+
+/** The bones to a joint's children: what is thick is scaled. */
+function bonesOf(body: Body, joint: number, scale: number): BufferGeometry[] {
   const here = new Vector3();
-  // Its ball closes the bone that ends in it, too.
-  const parts = [ball(Math.max(near, parent < 0 ? 0 : radii(parent)[1]))];
-  body.parents.forEach((other, child) => {
-    if (other === joint)
-      parts.push(...bone(here, new Vector3(...body.offsets[child]!), style === "stick" ? far : near, far));
+  const [near, far] = thicknessOf(body.names[joint]!);
+  const bones: BufferGeometry[] = [];
+  body.parents.forEach((parent, child) => {
+    if (parent !== joint) return;
+    const name = body.names[child]!;
+    const [own] = thicknessOf(name);
+    let radii = [near, far];
+    if (branches(name)) radii = [own, own];
+    if (fingerName.test(name)) radii = [fingerName.test(body.names[joint]!) ? near : palmBoneRadius, own];
+    bones.push(...bone(here, new Vector3(...body.offsets[child]!), radii[0]! * scale, radii[1]! * scale));
   });
-  if (body.tips[joint]) {
-    const tip = new Vector3(...body.tips[joint]!);
-    if (body.names[joint] === "Head") parts.push(...head(tip, scale));
-    else parts.push(...bone(here, tip, near, 0.8 * far), ball(0.8 * far, tip));
-  }
+  return bones;
+}
+
+/** What a joint carries at its tip, if it has one. */
+function endOf(body: Body, joint: number, scale: number): BufferGeometry[] {
+  const name = body.names[joint]!;
+  const hasFingers = body.parents.some((parent, child) => parent === joint && fingerName.test(body.names[child]!));
+  if (!body.tips[joint] || (hasFingers && !fingerName.test(name))) return [];
+  const tip = new Vector3(...body.tips[joint]!);
+  if (name === "Head") return head(tip, scale);
+  const [near, far] = thicknessOf(name).map((radius) => radius * scale) as [number, number];
+  const end = fingerName.test(name) ? bluntTip(tip, far) : tip;
+  return [...bone(new Vector3(), end, near, far), ball(far, end)];
+}
+
+/** What a joint carries, in its own frame: its ball and the bones to its children or its tip, as in films
+    (scenes/figures/stick_figure.cpp). */
+export function jointShape(body: Body, joint: number): BufferGeometry {
+  const scale = scaleOf(body);
+  const [near] = thicknessOf(body.names[joint]!);
+  const parent = body.parents[joint]!;
+  const isBranch = parent < 0 || branches(body.names[joint]!) || fingerName.test(body.names[joint]!);
+  // Its ball closes the bone that ends in it, too.
+  const radius = Math.max(near, isBranch ? 0 : thicknessOf(body.names[parent]!)[1]);
+  const parts = [ball(radius * scale), ...bonesOf(body, joint, scale), ...endOf(body, joint, scale)];
   const shape = mergeGeometries(parts.map((part) => {
     part.deleteAttribute("uv");
     return part;

@@ -2,8 +2,9 @@ import {
   Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer,
 } from "three";
 import type { LiveMotion } from "../live/core";
-import type { Body, BodyStyle } from "./body_shape";
+import type { Body } from "./body_shape";
 import { letTurn, stand, within, type Turn } from "./camera_turn";
+import type { FaceFrames } from "./face";
 import { Figure, type JointPoses } from "./figure";
 import { correspondingPhase, phaseInRound, roundSeconds, secondsOf, type Step } from "./playing";
 import type { Skin } from "./skin";
@@ -53,6 +54,8 @@ export class FigureView {
   private parts: number[];
   /** How far each walked in its earlier rounds and motions, metres. */
   private walked: number[];
+  /** How often each went through its motion before, since it was last sent somewhere. */
+  private rounds: number[];
   private arrangement: Arrangement = "over";
   private step: Step = "keytimes";
   private isPlaying = true;
@@ -67,17 +70,19 @@ export class FigureView {
   private waiting: (() => void)[] = [];
   private resized: ResizeObserver;
 
-  /** `colours`: of the figures, the first of which is the one that is looked at most. */
-  constructor(body: Body, colours: string[], label: string, style: BodyStyle = "mannequin") {
+  /** `colours`: of the figures, the first of which is the one that is looked at most. `handed`: the body with its
+      hands' joints. */
+  constructor(body: Body, colours: string[], label: string, handed: Body | null = null) {
     this.element = document.createElement("canvas");
     this.element.tabIndex = 0;
     this.element.setAttribute("role", "img");
     this.element.setAttribute("aria-label", label);
     this.element.className = "figure-view";
     this.renderer = rendererOn(this.element);
-    this.figures = colours.map((colour) => new Figure(body, colour, style));
+    this.figures = colours.map((colour) => new Figure(body, colour, handed));
     this.parts = colours.map(() => 0);
     this.walked = colours.map(() => 0);
+    this.rounds = colours.map(() => 0);
     this.scene.add(this.ground, ...this.figures.map((figure) => figure.group));
     letTurn(this.element, this.turn, () => this.changed());
     this.resized = new ResizeObserver(() => this.changed());
@@ -87,9 +92,9 @@ export class FigureView {
   }
 
   /** A figure plays this from now on, from the phase where it was; null: it is gone. `data-shown` counts. */
-  show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null): void {
+  show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null, face: FaceFrames | null = null): void {
     const before = this.travelled(figure);
-    this.figures[figure]!.show(motion, poses);
+    this.figures[figure]!.show(motion, poses, face);
     if (motion) this.walked[figure]! += before - this.travelled(figure);  // the floor stays where it is
     this.restsUntil = 0;
     this.element.dataset.shown = String(Number(this.element.dataset.shown ?? 0) + 1);
@@ -176,6 +181,7 @@ export class FigureView {
     const part = motion ? phase * secondsOf(motion) / roundSeconds(motion) : phase;
     this.parts.fill(within(0, part, 1));
     this.walked.fill(0);
+    this.rounds.fill(0);
     this.changed();
   }
 
@@ -223,7 +229,9 @@ export class FigureView {
     });
     if (this.step === "keytimes") this.parts.fill(this.parts[leader]!);
     this.figures.forEach((figure, k) => {
-      if (this.parts[k]! < before[k]!) this.walked[k]! += figure.travelled(1);
+      if (this.parts[k]! >= before[k]!) return;
+      this.walked[k]! += figure.travelled(1);
+      this.rounds[k]! += 1;
     });
   }
 
@@ -246,7 +254,7 @@ export class FigureView {
   }
 
   private pose(): void {
-    for (const figure of this.figures) figure.pose(this.phaseOf(figure));
+    this.figures.forEach((figure, k) => figure.pose(this.phaseOf(figure), this.rounds[k]));
   }
 
   private draw(): void {

@@ -1,6 +1,6 @@
 import {
-  Box3, Color, Float32BufferAttribute, Group, MeshLambertMaterial, MeshStandardMaterial, SkinnedMesh, type Object3D,
-  type Texture,
+  Box3, Color, Float32BufferAttribute, Group, MeshLambertMaterial, MeshStandardMaterial, SkinnedMesh,
+  type BufferAttribute, type ColorRepresentation, type Object3D, type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { hasGraphicsCard } from "./stage";
@@ -47,10 +47,8 @@ export class Skin {
     });
     this.joints = this.surfaces[0]?.skeleton.bones ?? [];
     const box = new Box3();
-    for (const { geometry } of this.surfaces) {
-      geometry.computeBoundingBox();
-      box.union(geometry.boundingBox!);
-    }
+    for (const { geometry } of this.surfaces)
+      box.union(new Box3().setFromBufferAttribute(geometry.attributes["position"] as BufferAttribute));
     this.height = box.isEmpty() ? 0 : box.max.y - box.min.y;
   }
 
@@ -61,6 +59,16 @@ export class Skin {
 
   private materialOf(surface: SkinnedMesh): SurfaceMaterial {
     return surface.material as SurfaceMaterial;
+  }
+
+  /** How far each morph has changed the surfaces; null: not at all. */
+  setFace(weights: ArrayLike<number> | null): void {
+    for (const { morphTargetInfluences, userData } of this.surfaces) {
+      const morphs = userData["morphs"] as number[] | undefined;
+      morphs?.forEach((morph, target) => {
+        morphTargetInfluences![target] = weights?.[morph] ?? 0;
+      });
+    }
   }
 
   /** 1: solid. */
@@ -74,7 +82,7 @@ export class Skin {
   }
 
   /** Colours of the body's joints run into each other over the surface; null: its own paint again. */
-  paint(colours: string[] | null): void {
+  paint(colours: ColorRepresentation[] | null): void {
     this.surfaces.forEach((surface, k) => {
       const material = this.materialOf(surface);
       const own = this.paints[k]!;

@@ -150,6 +150,8 @@ export interface Media {
   height: number;
   /** Whether it is heard; otherwise it is played muted. */
   sound?: boolean;
+  /** Tokens of the figures of people who can be turned. */
+  figures?: string[];
 }
 
 /** How levels of adaptive trials are chosen (pipeline/study/thresholds/track_json.h). Levels are places of a grid. */

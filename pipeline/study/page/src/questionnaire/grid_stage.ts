@@ -106,10 +106,10 @@ export class GridStage implements TrialStage, GridFilms {
 
   isWatched = (): boolean => true;
 
-  private filmOf({ url, media, role }: ShownMedia, index: number): Film {
+  private filmOf({ url, figures, media, role }: ShownMedia, index: number): Film {
     const isLoaded = url !== undefined;
     const label = this.labelOf(index);
-    const screen = screenOf(url ?? "", media, label, stageColour(role), {
+    const screen = screenOf(url ?? "", figures, media, label, stageColour(role), {
       began: (at) => this.began(index, at),
       stalled: () => {
         this.stalledAt ??= this.now();

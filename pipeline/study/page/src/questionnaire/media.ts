@@ -5,9 +5,10 @@ import type { Experiment, Media, Session } from "./experiment";
 export type Stock = Map<string, string>;
 
 /** Tokens of a session, each once, in the order in which they are needed. */
-const tokensOf = (session: Session): string[] => [
-  ...new Set(session.trials.flatMap((trial) =>
-    trial.reference ? [...mediaOf(trial), trial.reference] : mediaOf(trial))),
+const tokensOf = (session: Session, media: Experiment["media"]): string[] => [
+  ...new Set(session.trials
+    .flatMap((trial) => (trial.reference ? [...mediaOf(trial), trial.reference] : mediaOf(trial)))
+    .flatMap((token) => [token, ...(media[token]?.figures ?? [])])),
 ];
 
 /** A page of file:// may show the files beside it and not fetch them. */
@@ -78,9 +79,9 @@ export function runScript(file: string): Promise<void> {
   });
 }
 
-/** A motion that a page of file:// finds in a script beside it, as base64. */
+/** A motion or a figure that a page of file:// finds in a script beside it, as base64. */
 async function unpacked(token: string, media: Media): Promise<string> {
-  await runScript(media.file.replace(/\.glb$/, ".js"));
+  await runScript(media.file.replace(/\.[a-z]+$/, ".js"));
   const packed = (globalThis as { mienMedia?: Record<string, string> }).mienMedia?.[token];
   if (!packed) throw new Error(`${media.file}: its script is empty`);
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
@@ -99,7 +100,7 @@ function loaded(token: string, media: Media): Promise<string> {
 export async function fill(
   stock: Stock, experiment: Experiment, session: Session, told: (done: number, all: number) => void,
 ): Promise<void> {
-  const tokens = tokensOf(session);
+  const tokens = tokensOf(session, experiment.media);
   const missing = tokens.filter((token) => !stock.has(token));
   told(tokens.length - missing.length, tokens.length);
   const failures: unknown[] = [];

@@ -91,9 +91,18 @@ function videoScreen(url: string, media: Media, told: ScreenEvents): Screen {
   };
 }
 
-/** What turn_view.js puts beside the page's own script. */
+/** The URLs of what is turned. */
+export interface TurnedFiles {
+  url: string;
+  /** The figures of its people. */
+  figures: string[];
+  /** A motion file whose bones are shown, instead of people. */
+  isMotion: boolean;
+}
+
+/** What turn_view.js puts beside the page's own script. `colour`: of bones. */
 export interface TurnView {
-  (url: string, label: string, colour: string, told: ScreenEvents): Screen;
+  (files: TurnedFiles, label: string, colour: string, told: ScreenEvents): Screen;
 }
 
 const turnView = (): TurnView | undefined =>
@@ -104,9 +113,10 @@ export async function loadTurnView(): Promise<void> {
   if (!turnView()) await runScript("turn_view.js");
 }
 
+/** `figures`: URLs of the files that the media name. */
 export function screenOf(
-  url: string, media: Media, label: string, colour: string, told: ScreenEvents,
+  url: string, figures: string[], media: Media, label: string, colour: string, told: ScreenEvents,
 ): Screen {
   if (media.type.startsWith("video/")) return videoScreen(url, media, told);
-  return turnView()!(url, label, colour, told);
+  return turnView()!({ url, figures, isMotion: media.type === "model/gltf-binary" }, label, colour, told);
 }

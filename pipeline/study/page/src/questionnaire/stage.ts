@@ -11,6 +11,8 @@ export interface ShownMedia {
   token: string;
   /** Undefined where it could not be loaded. */
   url: string | undefined;
+  /** Of the figures that it shows. */
+  figures: string[];
   media: Media;
   /** A member of a set has its number. */
   role: "alone" | "to_rate" | "reference" | "left" | "right" | "member";
@@ -143,7 +145,7 @@ export class Stage implements TrialStage {
     this.attempt.note(this.played);
   };
 
-  private frameOf({ url = "", media, role }: ShownMedia): HTMLElement {
+  private frameOf({ url = "", figures, media, role }: ShownMedia): HTMLElement {
     const [left, right] = pairNames({ settings: this.settings }, this.texts);
     const label = { alone: "", to_rate: this.texts.toRate, reference: this.texts.reference, left, right,
       member: String(this.screens.length + 1) }[role];
@@ -154,7 +156,7 @@ export class Stage implements TrialStage {
       ended: () => this.ended(),
       volumeChanged: (volume) => this.volumeChanged(volume),
     };
-    const screen = screenOf(url, media, label || this.texts.figure, colours[role], events);
+    const screen = screenOf(url, figures, media, label || this.texts.figure, colours[role], events);
     this.screens.push(screen);
     screen.element.classList.add("screen");
     const width = fixedWidth(this.settings.display, media);

@@ -38,8 +38,11 @@ export interface TrialSurroundings {
 }
 
 function shownOf(trial: Trial, { experiment, stock }: TrialSurroundings): ShownMedia[] {
-  const shown = (token: string, role: ShownMedia["role"]): ShownMedia =>
-    ({ token, url: stock.get(token), media: experiment.media[token]!, role });
+  const shown = (token: string, role: ShownMedia["role"]): ShownMedia => {
+    const media = experiment.media[token]!;
+    const figures = (media.figures ?? []).map((figure) => stock.get(figure) ?? "");
+    return { token, url: figures.includes("") ? undefined : stock.get(token), figures, media, role };
+  };
   const [first, second] = trial.media;
   if (trial.kind === "grid")
     return [...trial.media.map((token) => shown(token, "member")),

@@ -1,22 +1,17 @@
-import {
-  AnimationMixer, LoopOnce, Mesh, MeshStandardMaterial, PerspectiveCamera, Vector3, WebGLRenderer,
-  type AnimationAction, type Object3D, type Scene,
-} from "three";
-import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { PerspectiveCamera, WebGLRenderer, type Scene } from "three";
 import { letTurn, stand, within, type Turn } from "../figure/camera_turn";
+import { readPeople } from "../figure/people";
 import { floor, litScene } from "../figure/stage";
-import type { Screen, ScreenEvents, TurnView } from "./screen";
+import type { Turned } from "../figure/turned";
+import type { Screen, ScreenEvents, TurnedFiles, TurnView } from "./screen";
+import { readTurnedMotion } from "./turned_motion";
 
-/** A floor to walk on, light from above, a figure of one colour. */
-function sceneOf(figure: Object3D, colour: string): Scene {
-  const scene = litScene();
-  scene.add(floor(), figure);
-  figure.traverse((part) => {
-    if (!(part instanceof Mesh)) return;
-    part.material = new MeshStandardMaterial({ color: colour, roughness: 0.75, flatShading: true });
-    part.frustumCulled = false;
-  });
-  return scene;
+const bytesOf = async (url: string): Promise<ArrayBuffer> => (await fetch(url)).arrayBuffer();
+
+async function read({ url, figures, isMotion }: TurnedFiles, colour: string): Promise<Turned> {
+  if (isMotion) return readTurnedMotion(await bytesOf(url), colour);
+  const [people, ...files] = await Promise.all([url, ...figures].map(bytesOf));
+  return readPeople(people!, files);
 }
 
 class TurnScreen implements Screen {
@@ -26,10 +21,8 @@ class TurnScreen implements Screen {
   private camera = new PerspectiveCamera(35, 4 / 3, 0.05, 60);
   private turn: Turn = { azimuth: Math.PI / 2, elevation: 0.12, distance: 3.7 };
   private scene: Scene | null = null;
-  private mixer: AnimationMixer | null = null;
-  private action: AnimationAction | null = null;
-  private hips: Object3D | null = null;
-  private figure: Object3D | null = null;
+  private turned: Turned | null = null;
+  private seconds = 0;
   private last = 0;
   private frames = 0;
   private slowFrames = 0;
@@ -37,7 +30,7 @@ class TurnScreen implements Screen {
   private isReleased = false;
   private resized: ResizeObserver;
 
-  constructor(url: string, label: string, colour: string, private told: ScreenEvents) {
+  constructor(files: TurnedFiles, label: string, colour: string, private told: ScreenEvents) {
     this.element = document.createElement("canvas");
     this.element.tabIndex = 0;
     this.element.setAttribute("role", "img");
@@ -47,36 +40,24 @@ class TurnScreen implements Screen {
     this.resized = new ResizeObserver(() => this.draw());
     this.resized.observe(this.element);
     letTurn(this.element, this.turn, () => this.draw());
-    this.ready = this.load(url, colour);
+    this.ready = this.load(files, colour);
   }
 
-  private async load(url: string, colour: string): Promise<void> {
-    const { scene: figure, animations } = await new GLTFLoader().loadAsync(url);
-    const clip = animations[0];
-    if (!clip) throw new Error("a file without a motion");
-    this.figure = figure;
-    this.scene = sceneOf(figure, colour);
-    this.mixer = new AnimationMixer(figure);
-    this.action = this.mixer.clipAction(clip);
-    this.action.setLoop(LoopOnce, 1);
-    this.action.clampWhenFinished = true;
-    this.mixer.addEventListener("finished", () => {
-      this.isOver = true;
-      this.told.ended();
-    });
-    // The part that a translation moves is what the camera follows.
-    const moved = clip.tracks.find((track) => track.name.endsWith(".position"))?.name.split(".")[0];
-    this.hips = (moved && figure.getObjectByName(moved)) || figure;
-    this.action.play();
-    this.mixer.setTime(0);
-    this.draw();
+  private async load(files: TurnedFiles, colour: string): Promise<void> {
+    const turned = await read(files, colour);
+    if (this.isReleased) return turned.release();
+    this.turned = turned;
+    Object.assign(this.turn, turned.stands);
+    this.scene = litScene();
+    this.scene.add(floor(), turned.object);
+    this.show(0);
   }
 
   play(): void {
-    if (!this.action || !this.mixer) return;
+    if (!this.turned) return;
     this.isOver = false;
     this.frames = 0;
-    this.action.reset().play();
+    this.seconds = 0;
     this.last = performance.now();
     requestAnimationFrame(this.step);
   }
@@ -86,32 +67,41 @@ class TurnScreen implements Screen {
   }
 
   private step = (now: number): void => {
-    if (this.isReleased || this.isOver || !this.mixer) return;
+    if (this.isReleased || this.isOver || !this.turned) return;
     const seconds = within(0, (now - this.last) / 1000, 0.25);
     this.last = now;
     if (this.frames > 0 && seconds > 0.05) this.slowFrames += 1;
     this.frames += 1;
-    this.mixer.update(seconds);
-    this.draw();
+    this.show(Math.min(this.seconds + seconds, this.turned.seconds));
     if (this.frames === 1) {
       this.told.began(now);
       this.told.wentOn();
     }
+    if (this.seconds >= this.turned.seconds) {
+      this.isOver = true;
+      this.told.ended();
+    }
     requestAnimationFrame(this.step);
   };
 
+  /** The moment of the motion. */
+  show(seconds: number): void {
+    this.seconds = seconds;
+    this.turned?.pose(seconds);
+    this.draw();
+  }
+
   private draw(): void {
-    const { element, scene, hips, figure, turn } = this;
-    if (!scene || !hips || !figure || this.isReleased || !element.clientWidth) return;
+    const { element, scene, turned, turn } = this;
+    if (!scene || !turned || this.isReleased || !element.clientWidth) return;
     const width = element.clientWidth;
     const height = element.clientHeight;
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    figure.updateMatrixWorld(true);
-    const centre = hips.getWorldPosition(new Vector3());
-    stand(this.camera, turn, centre.x, 0.9, centre.z);
+    const { x, z } = turned.middle();
+    stand(this.camera, turn, x, 0.9, z);
     this.renderer.render(scene, this.camera);
   }
 
@@ -123,10 +113,15 @@ class TurnScreen implements Screen {
   release(): void {
     this.isReleased = true;
     this.resized.disconnect();
+    this.turned?.release();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
 }
 
-const view: TurnView = (url, label, colour, told) => new TurnScreen(url, label, colour, told);
+const view: TurnView = (files, label, colour, told) => {
+  const screen = new TurnScreen(files, label, colour, told);
+  Object.assign(screen.element, { screen });  // as consoles and tests find it
+  return screen;
+};
 (globalThis as { mienTurnView?: TurnView }).mienTurnView = view;

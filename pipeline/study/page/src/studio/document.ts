@@ -22,10 +22,11 @@ export interface ManifestState {
 export type Kind = "adjectives" | "features" | "weights";
 export const kinds: Kind[] = ["adjectives", "features", "weights"];
 
-/** What a stimulus is made from: sliders of a kind, a motion file, a path that is walked, or another
+/** What a stimulus is made from: sliders of a kind, a motion file, a path that is walked, several people, or another
     stimulus. */
-export const sourceOf = (stimulus: Stimulus): Kind | "clip" | "path" | "foil" =>
-  kinds.find((kind) => kind in stimulus) ?? (["clip", "path"] as const).find((kind) => kind in stimulus) ?? "foil";
+export const sourceOf = (stimulus: Stimulus): Kind | "clip" | "path" | "people" | "foil" =>
+  kinds.find((kind) => kind in stimulus) ??
+  (["clip", "path", "people"] as const).find((kind) => kind in stimulus) ?? "foil";
 
 export const isMap = (value: Json | undefined): value is JsonMap =>
   typeof value === "object" && value !== null && !Array.isArray(value);

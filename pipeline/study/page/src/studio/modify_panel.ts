@@ -25,6 +25,10 @@ export function modifyPanel(studio: Studio): HTMLElement {
       panel.append(...paragraphs(["A foil has the modifications of its stimulus."]));
       return;
     }
+    if ("people" in stimulus) {
+      panel.append(...paragraphs(["Each person has modifications of their own. Edit them in the manifest."]));
+      return;
+    }
     stepsOf(stimulus).forEach((_, index) => panel.append(step(studio, index)));
     panel.append(element("div", { class: "row" },
       button("Add a step", () => setSteps(studio, [...stepsOf(studio.stimulus()!), firstStep(studio)]))));
@@ -54,7 +58,7 @@ const shapeOf = (studio: Studio): string => {
   const slides = new Set(["strength", "low", "middle", "high", ...amounts.map((one) => one.path),
     ...studio.words.posture.map((unit) => unit.name)]);
   return JSON.stringify([studio.selected, stimulus ? stepsOf(stimulus) : [], stimulus && "foil" in stimulus,
-    studio.choices.examples, studio.places.folders.length],
+    stimulus && "people" in stimulus, studio.choices.examples, studio.places.folders.length],
   (key, value: unknown) => (typeof value === "number" && slides.has(key) ? 0 : value));
 };
 

@@ -68,6 +68,8 @@ function content(studio: Studio, stimulus: Stimulus): HTMLElement[] {
   if (source === "clip") return paragraphs(["This stimulus shows a motion file. See Modify for its modifications."]);
   if (source === "path") return paragraphs(["This stimulus walks along the path in the manifest. See Modify for "
     + "its modifications."]);
+  if (source === "people") return paragraphs(["This stimulus shows several people. Edit their motions, places and "
+    + "figures in the manifest."]);
   if (source === "foil") return paragraphs(["This stimulus is a foil of another and has no sliders."]);
   const tabs = element("div", { class: "kinds", role: "group", "aria-label": "made from" });
   for (const kind of kinds) {

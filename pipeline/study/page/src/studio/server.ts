@@ -1,6 +1,8 @@
 // What the studio's server is asked (pipeline/study/studio/studio_service.h).
 
+import type { FaceFrames } from "../figure/face";
 import type { JointPoses } from "../figure/figure";
+import { countOfPeople, type PeopleHead } from "../figure/people";
 import { readMotion } from "../live/answers";
 import type { LiveMotion, Slider } from "../live/core";
 import type { Body } from "../figure/body_shape";
@@ -80,6 +82,8 @@ export interface Finding {
 export interface Made {
   motion: LiveMotion;
   body: Body;
+  /** The body with the joints of its hands; null where it is not human. */
+  hands: Body | null;
   findings: Finding[];
   warnings: string[];
   notes: string[];
@@ -88,10 +92,20 @@ export interface Made {
   modified: string;
   seconds: number;
   distance: { D: number; D_sum: number; by_joint: number[]; by_time: number[] } | null;
-  /** What it is shown on, if that comes as a file; joints: of its own, 0 for the body's. */
-  figure: { key: string; joints: number };
+  /** What it is shown on, if that comes as a file; joints: of its own, 0 for the body's (page_figures.h). */
+  figure: { key: string; joints: number; has_hands: boolean; morphs: number; face_frames: number };
   /** Where a figure's own joints are; null: those of the body. */
   poses: JointPoses | null;
+  /** How its face moves; null: it does not. */
+  face: FaceFrames | null;
+  /** Of several people, of whom the motion is the first's: all of them. */
+  people: People | null;
+}
+
+/** What is told of several people, whose figures are asked for by their keys. */
+export interface People {
+  head: PeopleHead;
+  numbers: Float32Array;
 }
 
 export interface Job {
@@ -142,19 +156,29 @@ export async function make(document: Document, show: string, against: string): P
   const body = { document: about(document, [show, against]), show, against };
   const bytes = await (await answerTo("motion", body).catch(ofWhole(document, body.document))).arrayBuffer();
   const length = new DataView(bytes).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as Omit<Made, "motion" | "poses">;
-  const posesAt = bytes.byteLength - 4 * 7 * head.figure.joints * framesOf(bytes, 4 + length);
-  return { ...head, motion: readMotion(bytes.slice(4 + length, posesAt)), poses: posesIn(bytes.slice(posesAt)) };
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))) as
+    Omit<Made, "motion" | "poses" | "face" | "people"> & { people: PeopleHead | null };
+  if (head.people) {
+    const peopleAt = bytes.byteLength - 4 * countOfPeople(head.people);
+    return { ...head, motion: readMotion(bytes.slice(4 + length, peopleAt)), poses: null, face: null,
+      people: { head: head.people, numbers: new Float32Array(bytes.slice(peopleAt)) } };
+  }
+  const { joints, has_hands, morphs, face_frames } = head.figure;
+  const faceAt = bytes.byteLength - 4 * morphs * face_frames;
+  const posesAt = faceAt - 4 * 7 * joints * framesOf(bytes, 4 + length);
+  return { ...head, people: null, motion: readMotion(bytes.slice(4 + length, posesAt)),
+    poses: posesIn(bytes.slice(posesAt, faceAt), has_hands),
+    face: morphs > 0 ? { weights: new Float32Array(bytes.slice(faceAt)), frames: face_frames } : null };
 }
 
 /** Of the motion that begins there. */
 const framesOf = (bytes: ArrayBuffer, at: number): number => new DataView(bytes).getInt32(at + 4, true);
 
-function posesIn(bytes: ArrayBuffer): JointPoses | null {
+function posesIn(bytes: ArrayBuffer, hasHands: boolean): JointPoses | null {
   if (bytes.byteLength === 0) return null;
   const numbers = new Float32Array(bytes);
   const places = numbers.length / 7;
-  return { positions: numbers.subarray(0, 3 * places), rotations: numbers.subarray(3 * places) };
+  return { positions: numbers.subarray(0, 3 * places), rotations: numbers.subarray(3 * places), hasHands };
 }
 
 /** The file of the figure that a motion is shown on; refused where it is another by now. */

@@ -1,8 +1,9 @@
-#include "pipeline/study/studio/studio_figures.h"
+#include "pipeline/study/figures/page_figures.h"
 
 #include <bit>
 #include <cstdint>
 #include <system_error>
+#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "motion/skeleton/recorded_hands.h"
 #include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
+#include "scenes/character/hidden_face.h"
 #include "scenes/mannequin/mannequin.h"
 
 namespace mien::pipeline {
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_characters = 4;
 constexpr std::size_t max_figure_files = 8;
+constexpr std::size_t max_faces = 8;
 
 /// The options of a mannequin that is shown, if one is.
 const scenes::MannequinOptions* mannequin_in(const scenes::Figure& figure) {
@@ -47,9 +50,7 @@ std::string time_of(const fs::path& file) {
   return fmt::format("{}", fs::last_write_time(file, unknown).time_since_epoch().count());
 }
 
-/// A face is shown as at the beginning of the film (with_still_face).
 std::string key_of(const scenes::Face& face) {
-  if (face.is_hidden) return " hidden";
   std::string key;
   for (const auto& [name, weight] : face.weights) key += fmt::format(" {} {}", name, weight);
   if (!face.file.empty())
@@ -74,14 +75,24 @@ std::string key_of(const fs::path& file, const motion::Skeleton& body) {
   return fmt::format("{} {} {:.5f}", file.string(), time_of(file), motion::leg_length(body));
 }
 
-std::string key_of(const scenes::Figure& figure, scenes::Role role, const motion::Clip& clip) {
+std::string key_of(const scenes::FigureColours& colours) {
+  std::string key;
+  for (const auto& colour : {colours.middle, colours.left, colours.right})
+    for (const float part : colour) key += fmt::format("{} ", part);
+  return key;
+}
+
+std::string key_of(const FigureRequest& request) {
+  const motion::Clip& clip = request.clip;
   if (!motion::is_body(clip.body)) return "";
-  if (const auto* mannequin = mannequin_in(figure))
-    return fmt::format("mannequin {} {} {} {}{}", mannequin->build, mannequin->sex,
-                       static_cast<int>(role), key_of(clip.body),
+  if (const auto* mannequin = mannequin_in(request.figure))
+    return fmt::format("mannequin {} {} {}{}{}", mannequin->build, mannequin->sex,
+                       key_of(request.colours), key_of(clip.body),
                        motion::has_fingers(clip) ? "with fingers" : "");
-  const fs::path* file = scenes::file_of(figure);
-  return file == nullptr ? "" : "character " + key_of(*file, clip.body) + key_of(face_in(figure));
+  const fs::path* file = scenes::file_of(request.figure);
+  if (file == nullptr) return "";
+  return "character " + key_of(*file, clip.body) +
+         (face_in(request.figure).is_hidden ? " hidden" : "");
 }
 
 /// A digest of the key that reveals no path.
@@ -97,7 +108,7 @@ void put(std::string& bytes, double value) {
     bytes += static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xff));
 }
 
-/// StudioFigure::poses of the joints that `joints_in` places in each pose.
+/// PageFigure::poses of the joints that `joints_in` places in each pose.
 template <class JointsIn>
 std::string poses_of(const motion::Clip& clip, const JointsIn& joints_in) {
   std::string positions, rotations;
@@ -123,20 +134,32 @@ std::string handed_poses(const motion::Skeleton& handed, const motion::Clip& cli
   });
 }
 
-std::string mannequin_file(const scenes::MannequinOptions& options, scenes::Role role,
-                           const motion::Clip& clip) {
+std::string mannequin_file(const scenes::MannequinOptions& options, const FigureRequest& request) {
   using scenes::MannequinHands;
   const MannequinHands hands =
-      motion::has_fingers(clip) ? MannequinHands::fingers : MannequinHands::one_piece;
-  return to_glb(scenes::make_mannequin(clip.body, options, scenes::colours_of(role),
+      motion::has_fingers(request.clip) ? MannequinHands::fingers : MannequinHands::one_piece;
+  return to_glb(scenes::make_mannequin(request.clip.body, options, request.colours,
                                        scenes::MeshDetail::full, hands),
-                clip.body);
+                request.clip.body);
+}
+
+/// A hidden face does not move.
+std::string character_file(const scenes::Character& character, const scenes::Face& face) {
+  if (!face.is_hidden) return to_glb(character);
+  scenes::Character hidden = scenes::with_hidden_face(character);
+  for (scenes::SkinnedMesh& mesh : hidden.meshes) mesh.morphs.clear();
+  return to_glb(hidden);
 }
 
 }  // namespace
 
-StudioFigures::CachedCharacter StudioFigures::character(const fs::path& file,
-                                                        const motion::Skeleton& body) {
+std::string body_poses(const motion::Clip& clip) {
+  return poses_of(
+      clip, [&](const motion::Pose& pose) { return motion::world_transforms(clip.body, pose); });
+}
+
+PageFigures::CachedCharacter PageFigures::character(const fs::path& file,
+                                                    const motion::Skeleton& body) {
   const std::string key = key_of(file, body);
   for (const auto& [cached_key, cached] : characters_)
     if (cached_key == key) return cached;
@@ -146,36 +169,57 @@ StudioFigures::CachedCharacter StudioFigures::character(const fs::path& file,
   return characters_.front().second;
 }
 
-StudioFigure StudioFigures::fitted_figure(const scenes::Figure& figure, scenes::Role role,
-                                          const motion::Clip& clip) {
-  const std::string key = key_of(figure, role, clip);
-  if (key.empty()) return {};
-  StudioFigure fitted_figure{.key = digest_of(key)};
-  if (const fs::path* own = scenes::file_of(figure)) {
-    const CachedCharacter cached = character(*own, clip.body);
-    fitted_figure.joints = cached->rig.size();
-    fitted_figure.poses = rig_poses(*cached, clip);
-  } else if (motion::has_fingers(clip)) {
-    const motion::Skeleton handed = motion::with_fingers(clip.body);
-    fitted_figure.joints = handed.size();
-    fitted_figure.poses = handed_poses(handed, clip);
-  }
-  return fitted_figure;
+const PageFigures::FaceFrames& PageFigures::face(const scenes::Character& character,
+                                                 const std::string& character_key,
+                                                 const FigureRequest& request) {
+  const scenes::Face face = face_in(request.figure);
+  static const FaceFrames none = {0, ""};
+  if (face.is_hidden || (face.weights.empty() && face.file.empty())) return none;
+  const int frames = face.file.empty() ? 1 : request.film_frames;
+  const double rate = request.clip.frames_per_second;
+  const std::string key = fmt::format("{}{} {} {}", character_key, key_of(face), frames, rate);
+  for (const auto& [cached_key, cached] : faces_)
+    if (cached_key == key) return cached;
+  const scenes::FaceMotion motion(character, face, frames, rate);
+  std::string weights;
+  for (int frame = 0; frame < frames; ++frame)
+    for (const double weight : motion.at(frame)) put(weights, weight);
+  faces_.emplace_front(key, FaceFrames(character.face.morph_count, std::move(weights)));
+  if (faces_.size() > max_faces) faces_.pop_back();
+  return faces_.front().second;
 }
 
-const std::string& StudioFigures::file(const std::string& key, const scenes::Figure& figure,
-                                       scenes::Role role, const motion::Clip& clip) {
+PageFigure PageFigures::fitted_figure(const FigureRequest& request) {
+  const motion::Clip& clip = request.clip;
+  const std::string key = key_of(request);
+  PageFigure fitted{.key = key.empty() ? "" : digest_of(key)};
+  const fs::path* own = motion::is_body(clip.body) ? scenes::file_of(request.figure) : nullptr;
+  if (own != nullptr) {
+    const CachedCharacter cached = character(*own, clip.body);
+    fitted.joints = cached->rig.size();
+    fitted.poses = rig_poses(*cached, clip);
+    std::tie(fitted.morphs, fitted.face) = face(*cached, key, request);
+  } else if (motion::is_body(clip.body) && motion::has_fingers(clip)) {
+    const motion::Skeleton handed = motion::with_fingers(clip.body);
+    fitted.joints = handed.size();
+    fitted.has_hands = true;
+    fitted.poses = handed_poses(handed, clip);
+  }
+  return fitted;
+}
+
+const std::string& PageFigures::file(const std::string& key, const FigureRequest& request) {
   static const std::string none;
-  const std::string own = key_of(figure, role, clip);
+  const std::string own = key_of(request);
   if (own.empty() || digest_of(own) != key) return none;
   for (const auto& [cached_key, file] : files_)
     if (cached_key == key) return file;
-  const auto* options = mannequin_in(figure);
+  const auto* options = mannequin_in(request.figure);
   files_.emplace_front(
       key, options != nullptr
-               ? mannequin_file(*options, role, clip)
-               : to_glb(scenes::with_still_face(*character(*scenes::file_of(figure), clip.body),
-                                                face_in(figure))));
+               ? mannequin_file(*options, request)
+               : character_file(*character(*scenes::file_of(request.figure), request.clip.body),
+                                face_in(request.figure)));
   if (files_.size() > max_figure_files) files_.pop_back();
   return files_.front().second;
 }
