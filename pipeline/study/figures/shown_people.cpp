@@ -54,7 +54,7 @@ ShownPerson person_of(const Stimulus& stimulus, std::size_t index, motion::Clip 
   const Person& person = stimulus.people[index];
   const std::string_view colour =
       person.colour.empty() ? scenes::person_colour(index) : std::string_view(person.colour);
-  return {scenes::with_shown_hands(std::move(clip), stimulus.look.hands),
+  return {scenes::with_shown_hands(std::move(clip), person.hands.value_or(stimulus.look.hands)),
           figure_of(person, stimulus.look), scenes::colours_of_hex(colour)};
 }
 
