@@ -115,13 +115,19 @@ Json face_primitive(const FaceSurface& surface, const Vec3& head, GlbBuffer& buf
           {"material", surface.material}};
 }
 
-/// The mannequin, its head shrunk into that of the face, down to the neck.
+float weight_of_head(const std::vector<scenes::Influence>& influences) {
+  float weight = 0.0f;
+  for (const scenes::Influence& one : influences)
+    if (one.joint == motion::Head) weight += one.weight;
+  return weight;
+}
+
+/// The mannequin, its head and chin shrunk into those of the face.
 scenes::SkinnedMesh small_headed(const scenes::Mannequin& mannequin, const Vec3& head) {
   scenes::SkinnedMesh mesh = mannequin.mesh;
-  const double neck = mannequin.bind.positions[motion::Head].y();
-  for (Vec3& at : mesh.positions) {
-    const double share = std::min(1.0, std::max(0.0, (at.y() - neck + 0.04) / 0.05));
-    at += 0.4 * share * (head - at);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double share = static_cast<double>(weight_of_head(mesh.influences[v]));
+    mesh.positions[v] += 0.4 * share * (head - mesh.positions[v]);
   }
   return mesh;
 }
