@@ -13,6 +13,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "scenes/character/face_animation.h"
+#include "scenes/character/face_joints.h"
 #include "scenes/character/hidden_face.h"
 
 namespace mien::scenes {
@@ -46,22 +47,35 @@ std::string_view after_last_point(std::string_view name) {
   return point == std::string_view::npos ? name : name.substr(point + 1);
 }
 
-void add_weight(const FaceControl& control, double weight, std::vector<double>& weights) {
+void add_weight(const FaceControl& control, double weight, FacePose& pose) {
   if (control.is_binary) weight = weight > 0.5 ? 1.0 : 0.0;
   for (const auto& [morph, share] : control.morphs)
-    weights[static_cast<std::size_t>(morph)] += weight * share;
+    pose.morphs[static_cast<std::size_t>(morph)] += weight * share;
+  for (std::size_t joint = 0; joint < face_joint_count; ++joint)
+    pose.turns.joints[joint] += weight * control.turns.joints[joint];
 }
 
-std::vector<double> no_weights(const Character& character) {
-  return std::vector<double>(static_cast<std::size_t>(character.face.morph_count), 0.0);
+FacePose face_without_weights(const Character& character) {
+  return {std::vector<double>(static_cast<std::size_t>(character.face.morph_count), 0.0), {}};
+}
+
+/// Moves the vertices as the joints of the face do, in the bind pose.
+void turn_mesh(SkinnedMesh& mesh, const JointMotions& motions) {
+  const render::Mesh turned = linear_blend_skinned(mesh, motions);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] = turned.positions[v].cast<double>();
+    mesh.normals[v] = turned.normals[v].cast<double>().normalized();
+  }
 }
 
 }  // namespace
 
 std::vector<std::string> face_names(const FaceControls& face) {
   std::vector<std::string> names;
-  for (const FaceControl& control : face.controls)
-    if (std::ranges::find(names, control.name) == names.end()) names.push_back(control.name);
+  for (const FaceControl& control : face.controls) {
+    if (!control.is_angle && std::ranges::find(names, control.name) == names.end())
+      names.push_back(control.name);
+  }
   return names;
 }
 
@@ -79,16 +93,20 @@ const FaceControl* control_named(const FaceControls& face, std::string_view name
   return nullptr;
 }
 
-std::vector<double> morph_weights(const Character& character, const FaceWeights& weights) {
-  std::vector<double> sums = no_weights(character);
+FacePose face_pose(const Character& character, const FaceWeights& weights) {
+  FacePose pose = face_without_weights(character);
   for (const auto& [name, weight] : weights) {
     const FaceControl* control = control_named(character.face, name);
     if (control == nullptr)
       throw Error({character.name}, "its face has no " + motion::in_quotes(name),
                   motion::did_you_mean(name, face_names(character.face)));
-    add_weight(*control, weight, sums);
+    add_weight(*control, weight, pose);
   }
-  return sums;
+  return pose;
+}
+
+std::vector<double> morph_weights(const Character& character, const FaceWeights& weights) {
+  return face_pose(character, weights).morphs;
 }
 
 motion::FaceTrack read_face_track(const Face& face) {
@@ -108,7 +126,7 @@ std::vector<std::string> unknown_names(const motion::FaceTrack& track, const Fac
 FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
                        double frames_per_second) {
   if (face.file.empty()) {
-    if (!face.weights.empty()) frames_.push_back(morph_weights(character, face.weights));
+    if (!face.weights.empty()) frames_.push_back(face_pose(character, face.weights));
     return;
   }
   const motion::FaceTrack track = read_face_track(face);
@@ -122,13 +140,13 @@ FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
     warnings_.push_back("The face does not have these names of " + face.file.filename().string() +
                         ": " + motion::listed(unknown) + ".");
   for (int frame = 0; frame < frames; ++frame) {
-    std::vector<double> weights = no_weights(character);
+    FacePose pose = face_without_weights(character);
     for (const motion::FaceCurve& curve : track) {
       const FaceControl* control = control_named(character.face, curve.name);
       if (control == nullptr) continue;
-      add_weight(*control, weight_at(curve, frame / frames_per_second - face.start_s), weights);
+      add_weight(*control, weight_at(curve, frame / frames_per_second - face.start_s), pose);
     }
-    frames_.push_back(std::move(weights));
+    frames_.push_back(std::move(pose));
   }
 }
 
@@ -136,21 +154,35 @@ Character with_still_face(Character character, const Face& face) {
   if (face.is_hidden) return with_hidden_face(std::move(character));
   const FaceMotion motion(character, face, 1, 1.0);
   const std::span<const double> weights = motion.at(0);
+  motion::JointTransforms turned = rig_bind_pose(character);
+  turn_face(character, motion.turns_at(0), turned);
+  const JointMotions motions = joint_motions(rig_bind_pose(character), turned);
   for (SkinnedMesh& mesh : character.meshes) {
     if (is_morphed(mesh, weights)) {
       MeshShape shape = morphed_shape(mesh, weights);
       mesh.positions = std::move(shape.positions);
       mesh.normals = std::move(shape.normals);
     }
+    if (motion.turns_at(0) != FaceTurns()) turn_mesh(mesh, motions);
     mesh.morphs.clear();
   }
   character.face = {};
   return character;
 }
 
+const FacePose* FaceMotion::pose_at(int frame) const {
+  if (frames_.empty()) return nullptr;
+  return &frames_[std::min(static_cast<std::size_t>(frame), frames_.size() - 1)];
+}
+
 std::span<const double> FaceMotion::at(int frame) const {
-  if (frames_.empty()) return {};
-  return frames_[std::min(static_cast<std::size_t>(frame), frames_.size() - 1)];
+  const FacePose* pose = pose_at(frame);
+  return pose == nullptr ? std::span<const double>() : pose->morphs;
+}
+
+FaceTurns FaceMotion::turns_at(int frame) const {
+  const FacePose* pose = pose_at(frame);
+  return pose == nullptr ? FaceTurns() : pose->turns;
 }
 
 }  // namespace mien::scenes

@@ -108,8 +108,8 @@ struct ActorBuilder {
     actor.warnings.insert(actor.warnings.end(), face->warnings().begin(), face->warnings().end());
     actor.draw = [character, face](render::Scene& scene, const Actor& self, int frame,
                                    const render::Camera&) {
-      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)],
-                    face->at(frame));
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)], face->at(frame),
+                    face->turns_at(frame));
     };
   }
 
