@@ -133,8 +133,11 @@ FaceTrack track_of(const Npz& npz, std::optional<double> frames_per_second) {
                 "(jaw_pose, or poses of SMPL-X)",
                 "give a table of weights, or a file of SMPL-X with expressions");
   ReadOptions options;
+  std::optional<double> rate = rate_of_arrays(npz, options);
+  if (rate && frames_per_second)
+    throw Error({npz.file}, "it states its frame rate itself", "omit fps");
   options.frames_per_second = frames_per_second;
-  const std::optional<double> rate = rate_of_arrays(npz, options);
+  if (!rate) rate = rate_of_arrays(npz, options);
   if (!rate) throw no_rate(npz.file);
   FaceTrack track;
   if (expressions != nullptr) add_expressions(npz, *expressions, *rate, track);

@@ -19,7 +19,7 @@ namespace mien::motion {
 ///   "reye_pose_z".
 ///
 /// The frame rate is that of the file, or else `frames_per_second`. Throws mien::Error without
-/// such arrays or a rate.
+/// such arrays or a rate, or with both rates.
 FaceTrack read_smpl_expressions(const std::filesystem::path& path,
                                 std::optional<double> frames_per_second);
 

@@ -75,11 +75,7 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
       look.camera = {};  // has been checked
       if (!person.figure && !person.face) continue;
       if (person.figure) look.figure = *person.figure;
-      if (person.face) {
-        look.face = *person.face;
-      } else if (scenes::file_of(look.figure) == nullptr) {
-        look.face = {};  // is that of the others
-      }
+      if (person.face) look.face = *person.face;
       append(faults, check_look(look, own, manifest.places, joints, characters));
     }
   }

@@ -70,6 +70,16 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
   }
 }
 
+/// What one of several people has instead of the stimulus's figure and face.
+void add_person(const Person& person, StatedSettings& settings) {
+  Look own;
+  if (person.figure) own.figure = *person.figure;
+  if (person.face) own.face = *person.face;
+  add_differences("look.", own, person.motion.id, settings);
+  if (person.face && person.face->is_neutral())
+    settings.add("look.face", "neutral", person.motion.id);
+}
+
 std::string size_of(const scenes::PointLightOptions& dots) {
   return dots.size_m ? fmt::format("{:g} m", *dots.size_m)
                      : fmt::format("{:g} pixels", dots.size_px);
@@ -126,6 +136,7 @@ void describe_settings(MethodsText& out) {
     };
     if (std::ranges::none_of(motions_in(stimulus), loops)) stimulus.output.cycles = Output{}.cycles;
     add_settings_of(stimulus);
+    for (const Person& person : stimulus.people) add_person(person, settings);
   }
   for (const Overlay& overlay : out.manifest.overlays) {
     Stimulus film = overlay.film;

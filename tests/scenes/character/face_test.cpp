@@ -308,6 +308,11 @@ TEST(AnActor, HasTheFaceOfItsFigureInEachFrame) {
   EXPECT_EQ(difference(drawn(moving, 0), drawn({}, 0)), 0.0);
   EXPECT_LT(difference(drawn(moving, 2), drawn(half, 2)), 1e-7);
   EXPECT_GT(difference(drawn(moving, 2), drawn({}, 2)), 0.005);
+  moving.start_s = 1.0;
+  EXPECT_EQ(difference(drawn(moving, 4), drawn({}, 4)), 0.0);
+  moving.start_s = 1.25;
+  const std::string said = mien::test::refusal_of([&] { drawn(moving, 4); });
+  EXPECT_NE(said.find("begin at 1.25 s, but the film ends at 1.25 s"), std::string::npos) << said;
   Face hidden;
   hidden.is_hidden = true;
   EXPECT_EQ(drawn(hidden, 0).size(), drawn({}, 0).size() + 1);
