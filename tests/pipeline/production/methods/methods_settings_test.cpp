@@ -137,10 +137,12 @@ TEST_F(MethodsSettings, StateTheFacesOfPeople) {
       "      - {name: ann, weights: {sad: 1}, place: {x: 0}}\n"
       "      - {name: bo, weights: {sad: 1}, place: {x: 1}, look: {face: {one: 0.5}}}\n"
       "      - {name: cy, weights: {sad: 1}, place: {x: 2}, look: {figure: {mannequin: {sex: 1}}, "
-      "face: neutral}}\n");
+      "face: neutral}}\n"
+      "      - {name: di, weights: {sad: 1}, place: {x: 3}, look: {face: neutral}}\n");
   for (const char* stated :
        {"faces hidden behind a plain oval", "the face's one at a weight of 0.5 (pair.bo)",
-        "mannequins of sex 1 (0 female, 1 male)", "(pair.cy)"})
+        "mannequins of sex 1 (0 female, 1 male) (pair.cy)",
+        "faces as in the file of the character (pair.di)"})
     EXPECT_NE(methods.find(stated), std::string::npos) << methods;
 }
 
