@@ -17,6 +17,7 @@
 #include "motion/text/file_kind.h"
 #include "scenes/character/character_file.h"
 #include "scenes/character/character_parts.h"
+#include "scenes/character/face_joints.h"
 #include "scenes/character/fbx_character.h"
 #include "scenes/character/gltf_morphs.h"
 #include "scenes/character/leaf_twist.h"
@@ -192,6 +193,7 @@ Character character_of(CharacterParts parts) {
   transform(character, mapping.to_y_up, mapping.metres_per_unit * assumed_extent / extent);
   check_meshes(parts.file, character);
   for (SkinnedMesh& mesh : character.meshes) cluster_triangles(mesh);
+  add_face_joints(character);
   name_parts(character);
   measure_stature(character);
   return character;
@@ -325,7 +327,8 @@ std::vector<int> body_joint_of(const Character& character) {
   return owner;
 }
 
-motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose) {
+motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose,
+                                 const FaceTurns& turns) {
   const motion::JointTransforms body = motion::world_transforms(character.body, pose);
   const motion::JointTransforms bind = rig_bind_pose(character);
   std::vector<int> turned_by(character.rig.joints.size(), -1);
@@ -353,12 +356,14 @@ motion::JointTransforms rig_pose(const Character& character, const motion::Pose&
   const Vec3 shift = body.positions[motion::Pelvis] - now.positions[pelvis];
   for (Vec3& position : now.positions) position += shift;
   bend_fingers(character.fingers, character.rig, pose.fingers, now);
+  turn_face(character, turns, now);
   return now;
 }
 
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose,
-                                std::span<const double> weights) {
-  const JointMotions motions = joint_motions(rig_bind_pose(character), rig_pose(character, pose));
+                                std::span<const double> weights, const FaceTurns& turns) {
+  const JointMotions motions =
+      joint_motions(rig_bind_pose(character), rig_pose(character, pose, turns));
   std::vector<render::Mesh> meshes;
   for (const SkinnedMesh& mesh : character.meshes) {
     meshes.push_back(morphed_and_skinned(mesh, motions, weights));
@@ -367,7 +372,7 @@ std::vector<render::Mesh> posed(const Character& character, const motion::Pose& 
 }
 
 void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose,
-                   std::span<const double> weights) {
+                   std::span<const double> weights, const FaceTurns& turns) {
   const auto first_material = static_cast<int>(scene.materials.size());
   const auto first_texture = static_cast<int>(scene.textures.size());
   const auto first_part = static_cast<int>(scene.parts.size());
@@ -381,7 +386,7 @@ void add_character(render::Scene& scene, const Character& character, const motio
   for (const motion::Joint& joint : character.body.joints) {
     scene.parts.push_back({joint.name, figure});
   }
-  for (render::Mesh& mesh : posed(character, pose, weights)) {
+  for (render::Mesh& mesh : posed(character, pose, weights, turns)) {
     mesh.material += first_material;
     for (int& part : mesh.triangle_parts) part += first_part;
     scene.solids.meshes.push_back(std::move(mesh));

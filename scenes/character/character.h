@@ -27,7 +27,7 @@ struct Character {
   std::vector<SkinnedMesh> meshes;  ///< influences refer to joints of the rig
   std::vector<render::Material> materials;
   std::vector<render::Texture> textures;
-  FaceControls face;  ///< the morphs of the meshes
+  FaceControls face;  ///< the morphs of the meshes, jaw and eyes
 
   /// Rotation of each joint of the body in the bind pose, world space; identities if that is a
   /// T-pose.
@@ -55,7 +55,8 @@ bool is_character_file(const std::filesystem::path& path);
 ///   attached to a joint, with base colour factors, textures and normal maps (PNG, JPEG, WebP).
 ///   Vertex colours and transparency are omitted with a warning.
 /// - Morph targets of glTF files and the expressions of VRM are read (gltf_morphs.h,
-///   vrm_expressions.h); those of FBX files are omitted with a warning.
+///   vrm_expressions.h); those of FBX files are omitted with a warning. Jaw and eyes that are
+///   joints are found in files of all formats (face_joints.h).
 /// - Joints are identified by the names of common rigs (motion/rig/rig_names.h), by the humanoid
 ///   bones of VRM 0 and 1, or else by the shape of their tree. The bind pose, a T-pose or an
 ///   A-pose, determines the orientation of the joints relative to the bones.
@@ -89,8 +90,9 @@ motion::Clip retargeted_to(const Character& character, const motion::Clip& clip)
 /// to the bind pose. Rig joints that correspond to a joint of the body rotate with it; all others
 /// follow their parent, and those above the pelvis follow the pelvis. The twist of toes, head and
 /// hands is limited (leaf_twist.h). Fingers have those of the pose, or that of the bind pose if it
-/// has none.
-motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose);
+/// has none; jaw and eyes turn on the head by `turns`.
+motion::JointTransforms rig_pose(const Character& character, const motion::Pose& pose,
+                                 const FaceTurns& turns = {});
 
 /// World transforms of the rig's joints in the bind pose, as by `rig_pose`: all rotations are the
 /// identity.
@@ -103,11 +105,11 @@ std::vector<int> body_joint_of(const Character& character);
 /// The meshes in a pose of the character's body, after their morph targets (linear blend skinning);
 /// materials are the character's. `weights` has one for each morph (FaceControls); empty: all 0.
 std::vector<render::Mesh> posed(const Character& character, const motion::Pose& pose,
-                                std::span<const double> weights = {});
+                                std::span<const double> weights = {}, const FaceTurns& turns = {});
 
 /// Appends the posed character to a scene, with its materials and textures, as part of the scene's
 /// last figure. Its parts are named like the body's joints. The character must outlive the scene.
 void add_character(render::Scene& scene, const Character& character, const motion::Pose& pose,
-                   std::span<const double> weights = {});
+                   std::span<const double> weights = {}, const FaceTurns& turns = {});
 
 }  // namespace mien::scenes

@@ -13,6 +13,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/nearest_word.h"
 #include "scenes/character/face_animation.h"
+#include "scenes/character/face_joints.h"
 
 namespace mien::scenes {
 
@@ -45,22 +46,26 @@ std::string_view after_last_point(std::string_view name) {
   return point == std::string_view::npos ? name : name.substr(point + 1);
 }
 
-void add_weight(const FaceControl& control, double weight, std::vector<double>& weights) {
+void add_weight(const FaceControl& control, double weight, FacePose& pose) {
   if (control.is_binary) weight = weight > 0.5 ? 1.0 : 0.0;
   for (const auto& [morph, share] : control.morphs)
-    weights[static_cast<std::size_t>(morph)] += weight * share;
+    pose.morphs[static_cast<std::size_t>(morph)] += weight * share;
+  for (std::size_t joint = 0; joint < face_joint_count; ++joint)
+    pose.turns.joints[joint] += weight * control.turns.joints[joint];
 }
 
-std::vector<double> no_weights(const Character& character) {
-  return std::vector<double>(static_cast<std::size_t>(character.face.morph_count), 0.0);
+FacePose face_without_weights(const Character& character) {
+  return {std::vector<double>(static_cast<std::size_t>(character.face.morph_count), 0.0), {}};
 }
 
 }  // namespace
 
 std::vector<std::string> face_names(const FaceControls& face) {
   std::vector<std::string> names;
-  for (const FaceControl& control : face.controls)
-    if (std::ranges::find(names, control.name) == names.end()) names.push_back(control.name);
+  for (const FaceControl& control : face.controls) {
+    if (!control.is_angle && std::ranges::find(names, control.name) == names.end())
+      names.push_back(control.name);
+  }
   return names;
 }
 
@@ -78,16 +83,20 @@ const FaceControl* control_named(const FaceControls& face, std::string_view name
   return nullptr;
 }
 
-std::vector<double> morph_weights(const Character& character, const FaceWeights& weights) {
-  std::vector<double> sums = no_weights(character);
+FacePose face_pose(const Character& character, const FaceWeights& weights) {
+  FacePose pose = face_without_weights(character);
   for (const auto& [name, weight] : weights) {
     const FaceControl* control = control_named(character.face, name);
     if (control == nullptr)
       throw Error({character.name}, "its face has no " + motion::in_quotes(name),
                   motion::did_you_mean(name, face_names(character.face)));
-    add_weight(*control, weight, sums);
+    add_weight(*control, weight, pose);
   }
-  return sums;
+  return pose;
+}
+
+std::vector<double> morph_weights(const Character& character, const FaceWeights& weights) {
+  return face_pose(character, weights).morphs;
 }
 
 motion::FaceTrack read_face_track(const Face& face) {
@@ -107,7 +116,7 @@ std::vector<std::string> unknown_names(const motion::FaceTrack& track, const Fac
 FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
                        double frames_per_second) {
   if (face.file.empty()) {
-    if (!face.weights.empty()) frames_.push_back(morph_weights(character, face.weights));
+    if (!face.weights.empty()) frames_.push_back(face_pose(character, face.weights));
     return;
   }
   const motion::FaceTrack track = read_face_track(face);
@@ -121,19 +130,29 @@ FaceMotion::FaceMotion(const Character& character, const Face& face, int frames,
     warnings_.push_back("The face does not have these names of " + face.file.filename().string() +
                         ": " + motion::listed(unknown) + ".");
   for (int frame = 0; frame < frames; ++frame) {
-    std::vector<double> weights = no_weights(character);
+    FacePose pose = face_without_weights(character);
     for (const motion::FaceCurve& curve : track) {
       const FaceControl* control = control_named(character.face, curve.name);
       if (control == nullptr) continue;
-      add_weight(*control, weight_at(curve, frame / frames_per_second - face.start_s), weights);
+      add_weight(*control, weight_at(curve, frame / frames_per_second - face.start_s), pose);
     }
-    frames_.push_back(std::move(weights));
+    frames_.push_back(std::move(pose));
   }
 }
 
+const FacePose* FaceMotion::pose_at(int frame) const {
+  if (frames_.empty()) return nullptr;
+  return &frames_[std::min(static_cast<std::size_t>(frame), frames_.size() - 1)];
+}
+
 std::span<const double> FaceMotion::at(int frame) const {
-  if (frames_.empty()) return {};
-  return frames_[std::min(static_cast<std::size_t>(frame), frames_.size() - 1)];
+  const FacePose* pose = pose_at(frame);
+  return pose == nullptr ? std::span<const double>() : pose->morphs;
+}
+
+FaceTurns FaceMotion::turns_at(int frame) const {
+  const FacePose* pose = pose_at(frame);
+  return pose == nullptr ? FaceTurns() : pose->turns;
 }
 
 }  // namespace mien::scenes

@@ -12,7 +12,8 @@
 
 namespace mien::scenes {
 
-/// The names of a face's controls, each once, in their order.
+/// The names of a face's controls, each once, in their order, without those whose weights are
+/// angles of a recording.
 std::vector<std::string> face_names(const FaceControls& face);
 
 /// The control of a name: the first that has it exactly, or else the first that differs only in
@@ -21,18 +22,27 @@ std::vector<std::string> face_names(const FaceControls& face);
 /// there is none.
 const FaceControl* control_named(const FaceControls& face, std::string_view name);
 
-/// The weights of all morphs (MorphTarget::morph) for weights by name; those of several names that
-/// change the same morph are added. Throws mien::Error for a name that the face does not have.
+/// What the controls of a face make of it.
+struct FacePose {
+  std::vector<double> morphs;  ///< weights of all morphs (MorphTarget::morph)
+  FaceTurns turns;
+};
+
+/// The face for weights by name; what several names change is added. Throws mien::Error for a name
+/// that the face does not have.
+FacePose face_pose(const Character& character, const FaceWeights& weights);
+
+/// The morphs of `face_pose`.
 std::vector<double> morph_weights(const Character& character, const FaceWeights& weights);
 
-/// The weights that a file states over time: a glTF file (face_animation.h) or a table
-/// (face_table.h). Throws mien::Error.
+/// The weights that a file states over time: a glTF file (face_animation.h), an .npz file
+/// (smpl_expressions.h) or a table (face_table.h). Throws mien::Error.
 motion::FaceTrack read_face_track(const Face& face);
 
 /// The names of a track that the face does not have.
 std::vector<std::string> unknown_names(const motion::FaceTrack& track, const FaceControls& face);
 
-/// The weights of all morphs in each frame of a film.
+/// The weights of all morphs, and the turns of jaw and eyes, in each frame of a film.
 class FaceMotion {
  public:
   /// Of a character whose face is as its file has it.
@@ -41,14 +51,18 @@ class FaceMotion {
   /// one of the character's, and as `read_face_track`.
   FaceMotion(const Character& character, const Face& face, int frames, double frames_per_second);
 
-  /// Empty: none.
+  /// The weights of morphs; empty: none.
   std::span<const double> at(int frame) const;
+
+  FaceTurns turns_at(int frame) const;
 
   /// That names of the file are not among those of the character.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::vector<std::vector<double>> frames_;  ///< one: the same in all frames
+  const FacePose* pose_at(int frame) const;  ///< null: as its file has it
+
+  std::vector<FacePose> frames_;  ///< one: the same in all frames
   std::vector<std::string> warnings_;
 };
 

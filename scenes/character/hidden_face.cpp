@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "motion/error.h"
+#include "scenes/character/front_of_head.h"
 
 namespace mien::scenes {
 
@@ -15,8 +15,8 @@ namespace {
 using motion::Mat3;
 using motion::Vec3;
 
-constexpr double margin = 1.02;      // of the oval's axes
-constexpr double chin_share = 0.35;  // of the height of the head's joint below the crown
+constexpr double margin = 1.04;    // of the oval's axes
+constexpr double flattest = 0.15;  // its least half-axis to the front, of that to the side
 constexpr int meridians = 48;
 constexpr int parallels = 24;
 
@@ -34,49 +34,66 @@ int head_joint(const std::vector<int>& owner) {
   return found == owner.end() ? -1 : static_cast<int>(found - owner.begin());
 }
 
-/// The vertices of triangles, each once.
-std::set<std::size_t> drawn_vertices(const SkinnedMesh& mesh) {
-  std::set<std::size_t> drawn;
-  for (const auto& triangle : mesh.triangles)
-    for (const int vertex : triangle) drawn.insert(static_cast<std::size_t>(vertex));
-  return drawn;
-}
-
-/// The vertices that follow the head mainly, seen from its joint.
-std::vector<Vec3> vertices_of_head(const Character& character, const std::vector<int>& owner,
-                                   const Vec3& joint, const Mat3& axes) {
-  std::vector<Vec3> vertices;
+/// The triangles of which all corners follow the head mainly.
+HeadTriangles triangles_of_head(const Character& character, const std::vector<int>& owner,
+                                const Vec3& joint, const Mat3& axes) {
+  HeadTriangles head;
   for (const SkinnedMesh& mesh : character.meshes) {
-    for (const std::size_t v : drawn_vertices(mesh)) {
-      const auto follows = static_cast<std::size_t>(mesh.influences[v].front().joint);
-      if (owner[follows] == motion::Head)
-        vertices.emplace_back(axes.transpose() * (mesh.positions[v] - joint));
-    }
+    const auto follows_head = [&](int vertex) {
+      const int mainly = mesh.influences[static_cast<std::size_t>(vertex)].front().joint;
+      return owner[static_cast<std::size_t>(mainly)] == motion::Head;
+    };
+    const auto place = [&](int vertex) -> Vec3 {
+      return axes.transpose() * (mesh.positions[static_cast<std::size_t>(vertex)] - joint);
+    };
+    for (const auto& [a, b, c] : mesh.triangles)
+      if (follows_head(a) && follows_head(b) && follows_head(c))
+        head.push_back({place(a), place(b), place(c)});
   }
-  return vertices;
+  return head;
 }
 
-/// Those of the face: in front of the joint and above the neck.
-std::vector<Vec3> front_of(std::vector<Vec3> vertices) {
-  double crown = 0.0;
-  for (const Vec3& at : vertices) crown = std::max(crown, at.y());
-  std::erase_if(vertices,
-                [&](const Vec3& at) { return at.z() < 0.0 || at.y() < -chin_share * crown; });
-  return vertices;
+/// Where an ellipsoid of one depth reaches all points: its centre and its half-axis to the front.
+struct Depth {
+  double centre, half;
+};
+
+/// The smallest |z − centre| / reach of all points is convex in the centre, so that a
+/// golden-section search finds it. `reaches` are the shares of the half-axis that the ellipsoid has
+/// at each point.
+Depth least_depth(const std::vector<Vec3>& points, const std::vector<double>& reaches) {
+  const auto half_at = [&](double centre) {
+    double half = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      half = std::max(half, std::abs(points[i].z() - centre) / reaches[i]);
+    return half;
+  };
+  const auto [back, front] =
+      std::ranges::minmax_element(points, {}, [](auto& at) { return at.z(); });
+  double low = back->z(), high = front->z();
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  while (high - low > 1e-6) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    (half_at(a) <= half_at(b) ? high : low) = half_at(a) <= half_at(b) ? b : a;
+  }
+  const double centre = 0.5 * (low + high);
+  return {centre, half_at(centre)};
 }
 
-/// The smallest ellipsoid around the points with the proportions of their box.
-Oval oval_around(const std::vector<Vec3>& front, const Vec3& joint, const Mat3& axes) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& at : front) box.extend(at);
-  Vec3 centre = box.center();
-  centre.z() = 0.0;
+/// The ellipsoid around the face whose outline from the front is that of the head.
+Oval oval_around(const FrontOfHead& front, const Vec3& joint, const Mat3& axes) {
   constexpr double least_m = 0.01;
-  const Vec3 half =
-      Vec3(0.5 * box.sizes().x(), 0.5 * box.sizes().y(), box.max().z()).cwiseMax(least_m);
-  double scale = 1.0;
-  for (const Vec3& at : front) scale = std::max(scale, (at - centre).cwiseQuotient(half).norm());
-  return {joint + axes * centre, margin * scale * half, axes};
+  const Eigen::Vector2d middle = front.outline.center();
+  const Eigen::Vector2d half = margin * (0.5 * front.outline.sizes()).cwiseMax(least_m);
+  std::vector<double> reaches;
+  for (const Vec3& at : front.face) {
+    const Eigen::Vector2d place = (Eigen::Vector2d(at.head<2>()) - middle).cwiseQuotient(half);
+    reaches.push_back(std::sqrt(1.0 - place.squaredNorm()));
+  }
+  const Depth depth = least_depth(front.face, reaches);
+  const double thick = std::max(margin * depth.half, flattest * half.minCoeff());
+  return {joint + axes * Vec3(middle.x(), middle.y(), depth.centre),
+          Vec3(half.x(), half.y(), thick), axes};
 }
 
 SkinnedMesh mesh_of_oval(const Oval& oval, int joint, int material) {
@@ -115,8 +132,8 @@ Character with_hidden_face(Character character) {
   const Vec3 place = joint < 0
                          ? Vec3(Vec3::Zero())
                          : rig_bind_pose(character).positions[static_cast<std::size_t>(joint)];
-  const std::vector<Vec3> front = front_of(vertices_of_head(character, owner, place, axes));
-  if (joint < 0 || front.empty())
+  const FrontOfHead front = front_of_head(triangles_of_head(character, owner, place, axes));
+  if (joint < 0 || front.face.empty())
     throw Error({character.name},
                 "no part of its mesh in front follows the head, so there is no "
                 "face to hide",

@@ -4,10 +4,11 @@
 
 namespace mien::scenes {
 
-/// The character with a plain grey oval (an ellipsoid) over its face, fixed to its head: of all
-/// vertices that follow the head mainly, it encloses those that in the bind pose are in front of
-/// the head's joint and no farther below it than 0.35 of its distance to the crown, where a chin
-/// is. Hair and neck may show beside it. Throws mien::Error if no vertex in front follows the head.
+/// The character with a plain grey oval over its face, fixed to its head: the ellipsoid whose
+/// outline, seen from the front, is the ellipse of that of the head (front_of_head.h), 4 % larger,
+/// and which is as flat as it can be if it encloses the face in the bind pose. What of the head is
+/// outside this ellipse, such as hair, and what is behind the face, stays in view. Throws
+/// mien::Error if no part of the mesh in front of the head's joint follows the head.
 Character with_hidden_face(Character character);
 
 }  // namespace mien::scenes

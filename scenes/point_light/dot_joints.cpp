@@ -75,13 +75,23 @@ std::vector<std::string> wanted_names(const motion::Skeleton& skeleton,
   return names;
 }
 
-DotJoint dot_joint(const motion::Skeleton& skeleton, bool has_fingers, const std::string& name) {
+[[noreturn]] void refuse_fingers(const std::string& name, const PointLightOptions& options) {
+  if (options.joint_set == "hands")
+    throw Error("the motion has no fingers for the fingertips of joints: hands",
+                "add hands: drawn to the look (--hands drawn) for relaxed hands, or use joints: "
+                "standard");
+  throw Error("the motion has no fingers for a dot on \"" + name + "\"",
+              "add hands: drawn to the look (--hands drawn) for relaxed hands, or omit the fingers "
+              "from joints");
+}
+
+DotJoint dot_joint(const motion::Skeleton& skeleton, bool has_fingers, const std::string& name,
+                   const PointLightOptions& options) {
   const bool is_body = motion::is_body(skeleton);
   if (is_body && name == head_top) return {name, motion::Head, 1.0};
   if (const auto on_finger = dot_on_finger(name); is_body && on_finger) {
     if (has_fingers) return *on_finger;
-    throw Error("the motion has no fingers for a dot on \"" + name + "\"",
-                "draw relaxed hands (hands: drawn), or omit the fingers");
+    refuse_fingers(name, options);
   }
   for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (skeleton.joints[j].name != name) continue;
@@ -99,7 +109,7 @@ std::vector<DotJoint> dot_joints(const motion::Skeleton& skeleton, bool has_fing
   std::vector<DotJoint> joints;
   std::map<int, int> dot_of;
   for (const std::string& name : wanted_names(skeleton, options)) {
-    joints.push_back(dot_joint(skeleton, has_fingers, name));
+    joints.push_back(dot_joint(skeleton, has_fingers, name, options));
     dot_of.emplace(joints.back().joint, static_cast<int>(joints.size()) - 1);
   }
   const motion::Skeleton whole = has_fingers ? motion::with_fingers(skeleton) : skeleton;

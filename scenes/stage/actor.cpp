@@ -1,6 +1,7 @@
 #include "scenes/stage/actor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "motion/error.h"
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/recorded_hands.h"
+#include "motion/text/plain_number.h"
 #include "scenes/character/character.h"
 #include "scenes/character/character_face.h"
 #include "scenes/character/hidden_face.h"
@@ -34,6 +36,17 @@ void require_body(const motion::Clip& clip, const std::string& figure) {
   if (motion::is_body(clip.body)) return;
   throw Error({clip.name}, figure + " needs a human body, which this motion does not have",
               "draw it as a stick figure");
+}
+
+/// Weights that would begin when the film has ended.
+void require_weights_in(const motion::Clip& clip, const Face& face) {
+  const double end = clip.frame_count() / clip.frames_per_second;
+  if (face.file.empty() || face.start_s < end) return;
+  throw Error({face.file.string()},
+              "the weights of the face begin at " + motion::plain_number(face.start_s) +
+                  " s, but the film ends at " +
+                  motion::plain_number(std::round(100.0 * end) / 100.0) + " s",
+              "let them begin earlier (start)");
 }
 
 Character shown(Character character, const Face& face) {
@@ -95,6 +108,7 @@ struct ActorBuilder {
 
   void operator()(const CharacterOptions& options) const {
     require_body(actor.clip, "a character");
+    require_weights_in(actor.clip, options.face);
     const auto character = std::make_shared<const Character>(
         shown(scaled_to_body(read_character(options.file), actor.clip.body), options.face));
     // It has a stature of its own, which the camera has to know.
@@ -108,8 +122,8 @@ struct ActorBuilder {
     actor.warnings.insert(actor.warnings.end(), face->warnings().begin(), face->warnings().end());
     actor.draw = [character, face](render::Scene& scene, const Actor& self, int frame,
                                    const render::Camera&) {
-      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)],
-                    face->at(frame));
+      add_character(scene, *character, self.clip.poses[static_cast<size_t>(frame)], face->at(frame),
+                    face->turns_at(frame));
     };
   }
 

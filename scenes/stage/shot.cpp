@@ -8,6 +8,7 @@
 #include "motion/error.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/clip_markers.h"
+#include "motion/text/excerpt.h"
 #include "scenes/cameras/camera_path.h"
 #include "scenes/cameras/figure_place.h"
 #include "scenes/point_light/dot_joints.h"
@@ -235,6 +236,14 @@ Actor actor_of(const Performance& one, const Look& look) {
   return actor;
 }
 
+/// Warnings about one of several motions say whose it is.
+void name_in_warnings(std::vector<Actor>& actors) {
+  if (actors.size() < 2) return;
+  for (Actor& actor : actors)
+    for (std::string& warning : actor.warnings)
+      if (!actor.name.empty()) warning = motion::in_quotes(actor.name) + ": " + warning;
+}
+
 /// Throws Error for figures that cannot be shown together in this way.
 void refuse_together(const Look& look) {
   const FigureKind& kind = kind_of(look.figure);
@@ -311,6 +320,7 @@ Shot stage(const std::vector<Performance>& performances, const Look& given) {
   shot.size = look.size;
   for (const Performance& one : near_origin(laid_out(performances, look.layout)))
     shot.actors.push_back(actor_of(one, look));
+  name_in_warnings(shot.actors);
   shot.place.forward = look.forward ? *look.forward : action_of(shot.actors.front().clip).forward;
   if (look.in_place || look.set.in_place) {
     shot.step = mean_step(shot.actors.front().clip);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -96,32 +98,74 @@ void add_joints(GlbBuffer& buffer, const std::vector<std::vector<scenes::Influen
   attributes["WEIGHTS_0"] = add(buffer, weights, GlbElement::vec4);
 }
 
-Json face_primitive(const FaceSurface& surface, const Vec3& head, GlbBuffer& buffer) {
-  std::vector<Vec3> points = points_of(surface, {});
-  const std::vector<std::vector<scenes::Influence>> influences(points.size(),
-                                                               {{motion::Head, 1.0f}});
+constexpr FaceBone face_bones[] = {FaceBone::jaw, FaceBone::left_eye, FaceBone::right_eye};
+constexpr const char* face_bone_names[] = {"Jaw", "LeftEye", "RightEye"};
+
+/// Those of jaw and eyes follow the joints of the body.
+int joint_of(FaceBone bone) {
+  return bone == FaceBone::head ? static_cast<int>(motion::Head)
+                                : motion::body_joint_count - 1 + static_cast<int>(bone);
+}
+
+std::vector<scenes::Influence> influences_at(const FaceSurface& surface, const Vec3& at,
+                                             FaceFormat format) {
+  if (format != FaceFormat::joints) return {{motion::Head, 1.0f}};
+  if (surface.bone != FaceBone::head) return {{joint_of(surface.bone), 1.0f}};
+  const auto share = surface.material == skin ? static_cast<float>(jaw_share(at)) : 0.0f;
+  if (share == 0.0f) return {{motion::Head, 1.0f}};
+  return {{motion::Head, 1.0f - share}, {joint_of(FaceBone::jaw), share}};
+}
+
+Json targets_of(const FaceSurface& surface, const std::vector<Vec3>& points, GlbBuffer& buffer) {
   Json targets = Json::array();
   for (std::size_t t = 0; t < face_targets.size(); ++t) {
     FaceShape shape{};
     shape[t] = 1.0;
     targets.push_back({{"POSITION", add_sparse(buffer, points, points_of(surface, shape))}});
   }
+  return targets;
+}
+
+Json face_primitive(const FaceSurface& surface, const Vec3& head, FaceFormat format,
+                    GlbBuffer& buffer) {
+  std::vector<Vec3> points = points_of(surface, {});
+  std::vector<std::vector<scenes::Influence>> influences;
+  for (const Vec3& at : points) influences.push_back(influences_at(surface, at, format));
+  Json targets = format == FaceFormat::joints ? Json() : targets_of(surface, points, buffer);
   for (Vec3& point : points) point += head;
   Json attributes = {{"POSITION", add(buffer, floats_of(points), GlbElement::vec3)}};
   add_joints(buffer, influences, attributes);
-  return {{"attributes", attributes},
-          {"indices", add(buffer, corners_of(surface), GlbElement::scalar)},
-          {"targets", targets},
-          {"material", surface.material}};
+  Json primitive = {{"attributes", attributes},
+                    {"indices", add(buffer, corners_of(surface), GlbElement::scalar)},
+                    {"material", surface.material}};
+  if (!targets.is_null()) primitive["targets"] = std::move(targets);
+  return primitive;
 }
 
-/// The mannequin, its head shrunk into that of the face, down to the neck.
+/// Adds the joints of jaw and eyes below the head.
+void add_face_bones(motion::Skeleton& body, motion::JointTransforms& bind, const Vec3& middle) {
+  const Vec3 head = bind.positions[motion::Head];
+  for (std::size_t k = 0; k < std::size(face_bones); ++k) {
+    const Vec3 at = middle + place_of(face_bones[k]);
+    body.joints.push_back({face_bone_names[k], motion::Head, at - head, std::nullopt});
+    bind.positions.push_back(at);
+    bind.rotations.push_back(bind.rotations[motion::Head]);
+  }
+}
+
+float weight_of_head(const std::vector<scenes::Influence>& influences) {
+  float weight = 0.0f;
+  for (const scenes::Influence& one : influences)
+    if (one.joint == motion::Head) weight += one.weight;
+  return weight;
+}
+
+/// The mannequin, its head and chin shrunk into those of the face.
 scenes::SkinnedMesh small_headed(const scenes::Mannequin& mannequin, const Vec3& head) {
   scenes::SkinnedMesh mesh = mannequin.mesh;
-  const double neck = mannequin.bind.positions[motion::Head].y();
-  for (Vec3& at : mesh.positions) {
-    const double share = std::min(1.0, std::max(0.0, (at.y() - neck + 0.04) / 0.05));
-    at += 0.4 * share * (head - at);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double share = static_cast<double>(weight_of_head(mesh.influences[v]));
+    mesh.positions[v] += 0.4 * share * (head - mesh.positions[v]);
   }
   return mesh;
 }
@@ -202,16 +246,18 @@ Json vrm_of(std::size_t face_node) {
 }  // namespace
 
 std::string face_figure_glb(FaceFormat format) {
-  const motion::Skeleton body = motion::standard_body();
+  motion::Skeleton body = motion::standard_body();
   const scenes::Mannequin mannequin = scenes::make_mannequin(
       body, {}, scenes::colours_of(scenes::Role::neutral), scenes::MeshDetail::draft);
   GlbBuffer buffer;
+  motion::JointTransforms bind = mannequin.bind;
   const Vec3 head = mannequin.bind.positions[motion::Head] + Vec3(0.0, 0.095, 0.015);
   Json faces = Json::array(), names = Json::array();
   for (const FaceSurface& surface : face_surfaces())
-    faces.push_back(face_primitive(surface, head, buffer));
+    faces.push_back(face_primitive(surface, head, format, buffer));
   for (const std::string_view name : face_targets) names.push_back(std::string(name));
-  Json nodes = nodes_of(body, mannequin.bind);
+  if (format == FaceFormat::joints) add_face_bones(body, bind, head);
+  Json nodes = nodes_of(body, bind);
   const std::size_t face_node = nodes.size();
   nodes.push_back({{"name", "face"}, {"mesh", 0}, {"skin", 0}});
   nodes.push_back({{"name", "body"}, {"mesh", 1}, {"skin", 0}});
@@ -224,7 +270,7 @@ std::string face_figure_glb(FaceFormat format) {
        {{{"name", "face"}, {"primitives", faces}, {"extras", {{"targetNames", names}}}},
         {{"name", "body"},
          {"primitives", {body_primitive(small_headed(mannequin, head), buffer)}}}}},
-      {"skins", {skin_of_body(mannequin.bind, buffer)}},
+      {"skins", {skin_of_body(bind, buffer)}},
       {"materials",
        {material_of(0.2, 0.25, 0.35, 0.7), material_of(0.62, 0.4, 0.3, 0.5),
         material_of(0.85, 0.85, 0.83, 0.2), material_of(0.12, 0.22, 0.35, 0.2),

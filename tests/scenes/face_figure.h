@@ -17,8 +17,9 @@ inline constexpr double lid_opening_m = 0.0046;
 inline constexpr double eyeball_radius_m = 0.0125;
 
 enum class FaceFormat {
-  gltf,  ///< morph targets alone
-  vrm    ///< with the bones and some expressions of VRM 1.0
+  gltf,   ///< morph targets alone
+  vrm,    ///< with the bones and some expressions of VRM 1.0
+  joints  ///< without morph targets; jaw and eyes are joints, named as in HumanIK
 };
 
 /// A figure with a face, as a GLB file: the body of a mannequin, and a head of simple surfaces with

@@ -37,8 +37,7 @@ Vec3 head_point(double latitude, double longitude, const FaceShape& shape, doubl
   at *= scale;
   const double front = ramp(direction.z(), 0.1, 0.5);
   at.z() += front * relief(at.x(), at.y());
-  const double jaw = ramp(-at.y(), 0.045, 0.075) * ramp(at.z(), -0.02, 0.05);
-  at.y() -= 0.02 * shape[jaw_open] * jaw;
+  at.y() -= 0.02 * shape[jaw_open] * jaw_share(at);
   return at;
 }
 
@@ -63,11 +62,13 @@ Vec3 around_eye(double side, double radius, double up, double across) {
 
 /// A round cap over the front of an eyeball.
 FaceSurface cap(double side, double radius, double degrees, FaceMaterial material) {
-  return {10, 24, material, [=](double u, double v, const FaceShape&) -> Vec3 {
+  return {10, 24, material,
+          [=](double u, double v, const FaceShape&) -> Vec3 {
             const double off = degrees * degree * v, turn = 2.0 * motion::pi * u;
             return eye_centre(side) + radius * Vec3(std::sin(off) * std::cos(turn),
                                                     std::sin(off) * std::sin(turn), std::cos(off));
-          }};
+          },
+          side > 0.0 ? FaceBone::left_eye : FaceBone::right_eye};
 }
 
 /// The lids meet below the middle of the eye.
@@ -142,6 +143,14 @@ FaceSurface brow(double side) {
 
 }  // namespace
 
+Vec3 place_of(FaceBone bone) {
+  if (bone == FaceBone::head) return Vec3::Zero();
+  if (bone == FaceBone::jaw) return {0.0, -0.02, -0.005};
+  return eye_centre(bone == FaceBone::left_eye ? 1.0 : -1.0);
+}
+
+double jaw_share(const Vec3& at) { return ramp(-at.y(), 0.045, 0.075) * ramp(at.z(), -0.02, 0.05); }
+
 std::vector<FaceSurface> face_surfaces() {
   std::vector<FaceSurface> surfaces = {
       {96, 120, skin,
@@ -165,6 +174,7 @@ std::vector<FaceSurface> face_surfaces() {
     surfaces.push_back(lid(side, false));
     surfaces.push_back(brow(side));
   }
+  surfaces[3].bone = FaceBone::jaw;  // the lower lip
   return surfaces;
 }
 

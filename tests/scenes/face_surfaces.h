@@ -26,6 +26,15 @@ enum FaceTarget {
   brow_down_right
 };
 
+/// What moves with a joint of its own where the figure has such joints.
+enum class FaceBone { head, jaw, left_eye, right_eye };
+
+/// The places of jaw and eyes, metres from the middle of the head.
+motion::Vec3 place_of(FaceBone bone);
+
+/// How much the skin at a place follows the jaw.
+double jaw_share(const motion::Vec3& at);
+
 /// Materials of the figure.
 enum FaceMaterial { cloth, skin, white, iris, black, lip, hair };
 
@@ -36,6 +45,7 @@ struct FaceSurface {
   int columns = 0;
   FaceMaterial material = skin;
   std::function<motion::Vec3(double u, double v, const FaceShape&)> point;  ///< u and v from 0 to 1
+  FaceBone bone = FaceBone::head;
 };
 
 /// The head, lips, lids, eyes, brows and hair.

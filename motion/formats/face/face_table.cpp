@@ -189,6 +189,9 @@ FaceTrack parse_face_table(std::string_view text, const std::string& file_name,
   if (columns.kind == TimeColumn::frames && !frames_per_second)
     rows.refuse(columns.time, "the table counts frames without stating their rate",
                 "state the frames per second (fps)");
+  if (columns.kind == TimeColumn::seconds && frames_per_second)
+    rows.refuse(columns.time, "its times are in seconds, so that it has no rate of frames",
+                "omit fps");
   Moments moments;
   while (rows.next()) {
     if ((track.front().values.size() + 1) * track.size() > most_weights)

@@ -9,6 +9,7 @@
 #include "motion/text/excerpt.h"
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
+#include "pipeline/base/documents/paths_of_manifests.h"
 
 namespace mien::pipeline {
 
@@ -53,7 +54,7 @@ void FaultList::check_file(const std::string& path, const std::filesystem::path&
   std::error_code unknown;
   const bool is_there = std::filesystem::exists(file, unknown);
   add(path, is_there ? file.string() + " " + problem : "there is no file " + file.string(),
-      "give " + expected + "; paths are taken from the manifest's folder");
+      "give " + expected + std::string(from_the_manifest));
 }
 
 }  // namespace mien::pipeline

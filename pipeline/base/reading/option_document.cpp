@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/base/documents/paths_of_manifests.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -32,6 +34,8 @@ Faults as_option_faults(std::vector<Fault> faults) {
     if (!fault.place.file.empty() && fault.place.file != options_name) continue;
     fault.place = {};
     if (!fault.path.empty()) fault.path = option_of(fault.path);
+    if (fault.remedy.ends_with(from_the_manifest))
+      fault.remedy.resize(fault.remedy.size() - from_the_manifest.size());
   }
   return Faults(std::move(faults));
 }

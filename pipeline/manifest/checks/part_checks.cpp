@@ -73,14 +73,9 @@ std::vector<Fault> check_looks(const Manifest& manifest) {
       const std::string own = member_path(person.motion.path, "look");
       Look look = film->look;
       look.camera = {};  // has been checked
-      if (!person.figure && !person.face && !person.hands) continue;
+      if (!person.figure && !person.face) continue;
       if (person.figure) look.figure = *person.figure;
-      if (person.hands) look.hands = *person.hands;
-      if (person.face) {
-        look.face = *person.face;
-      } else if (scenes::file_of(look.figure) == nullptr) {
-        look.face = {};  // is that of the others
-      }
+      if (person.face) look.face = *person.face;
       append(faults, check_look(look, own, manifest.places, joints, characters));
     }
   }

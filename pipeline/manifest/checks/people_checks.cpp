@@ -9,6 +9,7 @@
 #include "pipeline/manifest/people.h"
 #include "scenes/figures/figure.h"
 #include "scenes/figures/figure_colour.h"
+#include "scenes/point_light/dot_joints.h"
 
 namespace mien::pipeline {
 
@@ -80,11 +81,16 @@ class PeopleChecker : public FaultList {
     if (stimulus.look.set.in_place)
       add(path, "the ground of this set moves with one walker only",
           "choose another scene, such as studio, and output: {in_place: true}");
+    const auto* dots = std::get_if<scenes::PointLightOptions>(&stimulus.look.figure);
     for (const Person& person : stimulus.people) {
       const std::string look = member_path(person.motion.path, "look");
       if (has_dots && person.figure)
         add(member_path(look, "figure"), "bodies and dots are not shown together",
             "omit it, or give the stimulus a figure with a surface");
+      if (dots != nullptr && person.hands == scenes::Hands::hidden &&
+          scenes::has_dots_on_fingers(*dots))
+        add(member_path(look, "hands"), "hidden hands have no fingers for dots",
+            "omit it, or the fingers of the dots");
     }
   }
 };

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "motion/text/excerpt.h"
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/reading/field_reader.h"
@@ -33,6 +35,29 @@ bool is_map(const std::string& text) {
 /// A word without an ending, or a map, is not the name of a file.
 bool is_face_file(const std::string& face) {
   return !is_map(face) && std::filesystem::path(face).has_extension();
+}
+
+/// Of a word that is none of the known ones, and of weights whose colon YAML does not see.
+void check_face_word(const std::string& face) {
+  if (face.empty() || face == "neutral" || face == "hidden" || is_map(face)) return;
+  std::error_code unknown;
+  const bool has_colon = face.find(':') != std::string::npos;
+  if (std::filesystem::exists(face, unknown) || (is_face_file(face) && !has_colon)) return;
+  const std::string name = face.substr(0, face.find(':'));
+  throw Faults({{{},
+                 "--face",
+                 motion::in_quotes(face) + " is neither neutral, hidden, weights nor a file",
+                 "write weights as \"" + motion::excerpt(name) +
+                     ": 0.5\", or give a file of weights with its ending (.csv, .npz, .glb)"}});
+}
+
+/// Faults of files that were given alone, without the key that a manifest needs, are those of the
+/// option.
+void shorten_paths(const LookOptions& options, std::vector<Fault>& faults) {
+  for (Fault& fault : faults) {
+    if (fault.path == "figure.character" && is_character(options.figure)) fault.path = "figure";
+    if (fault.path == "face.file" && is_face_file(options.face)) fault.path = "face";
+  }
 }
 
 /// Options without their braces get them.
@@ -64,6 +89,7 @@ json look_schema() {
 }  // namespace
 
 Look look_of(const LookOptions& options, std::vector<Fault>& warnings) {
+  check_face_word(options.face);
   const Environment environment = [&](const std::string& name) -> std::optional<std::string> {
     if (name == "MIEN_SCENE") return options.scene;
     if (name == "MIEN_FIGURE") return options.figure;
@@ -78,6 +104,7 @@ Look look_of(const LookOptions& options, std::vector<Fault>& warnings) {
   CheckedFiles characters;
   std::vector<Fault> faults = resolve_set(look, "", reading.places, sets);
   append(faults, check_look(look, "", reading.places, {}, characters));
+  shorten_paths(options, faults);
   if (!faults.empty()) throw as_option_faults(std::move(faults));
   if (!reading.renamed.empty()) append(warnings, as_option_faults(reading.renamed).list());
   return look;

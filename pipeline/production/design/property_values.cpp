@@ -80,7 +80,7 @@ PropertyValues stated_properties(const Manifest& manifest, const Stimulus& stimu
   const auto [width, height] = stimulus.output.shown_size();
   PropertyValues values;
   at(values, "figure").text = scenes::kind_of(stimulus.look.figure).name;
-  at(values, "figure_options").text = or_default(figure_options(stimulus.look));
+  at(values, "figure_options").text = or_default(figure_options(stimulus));
   at(values, "colours").text = colours(stimulus);
   at(values, "set").text = scene_name(stimulus.look);
   at(values, "camera").text = camera(stimulus.look);

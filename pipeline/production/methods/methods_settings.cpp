@@ -19,6 +19,7 @@
 #include "pipeline/production/methods/methods_parts.h"
 #include "pipeline/production/methods/prose.h"
 #include "pipeline/production/methods/stated_settings.h"
+#include "pipeline/production/methods/study_facts.h"
 
 namespace mien::pipeline {
 
@@ -68,6 +69,17 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
     if (entry.concerns != concerns::nothing)
       settings.add("look.set." + entry.path, entry.value, stimulus.id);
   }
+}
+
+/// What one of several people has instead of the stimulus's figure and face.
+void add_person(const Stimulus& stimulus, const Person& person, StatedSettings& settings) {
+  Look own;
+  if (person.figure) own.figure = *person.figure;
+  if (person.face) own.face = *person.face;
+  add_differences("look.", own, person.motion.id, settings);
+  const scenes::Figure shown = look_of_person(stimulus, person).figure;
+  if (person.face && person.face->is_neutral() && scenes::file_of(shown) != nullptr)
+    settings.add("look.face", "neutral", person.motion.id);
 }
 
 std::string size_of(const scenes::PointLightOptions& dots) {
@@ -126,6 +138,7 @@ void describe_settings(MethodsText& out) {
     };
     if (std::ranges::none_of(motions_in(stimulus), loops)) stimulus.output.cycles = Output{}.cycles;
     add_settings_of(stimulus);
+    for (const Person& person : stimulus.people) add_person(stimulus, person, settings);
   }
   for (const Overlay& overlay : out.manifest.overlays) {
     Stimulus film = overlay.film;

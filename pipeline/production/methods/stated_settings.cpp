@@ -50,6 +50,7 @@ constexpr OptionWords option_words[] = {
     {"trail.figure.mannequin", "trails of mannequins"},
     {"figure.character", "the character of the file {}"},
     {"look.face=hidden", "faces hidden behind a plain oval"},
+    {"look.face=neutral", "faces as in the file of the character"},
     {"look.face.file", "faces moved by the weights of the file {}"},
     {"look.face.take", "weights of the face of the take {}"},
     {"look.face.start", "weights of the face beginning at {} s of the film"},
@@ -235,7 +236,7 @@ std::string StatedSettings::text(const Names& everybody) const {
   Names parts;
   for (const auto& [who, words] : groups) {
     std::string part = listed(words);
-    if (who.size() < everybody.size()) {
+    if (who != everybody) {
       part += who.size() <= most_named ? " (" + listed(who) + ")"
                                        : fmt::format(" ({} of {})", who.size(), everybody.size());
     }

@@ -52,6 +52,13 @@ std::string person_facts(const Person& person) {
   return person.stated ? facts + ", with another's motion" : facts;
 }
 
+Look look_of_person(const Stimulus& stimulus, const Person& person) {
+  Look look = stimulus.look;
+  if (person.figure) look.figure = *person.figure;
+  if (person.face) look.face = *person.face;
+  return look;
+}
+
 std::string scene_name(const Look& look) {
   return look.scene_file.empty() ? scene_of(look) : look.scene_file.filename().string();
 }
@@ -67,20 +74,59 @@ std::vector<ExpectationCheck> expectation_checks(const Manifest& manifest,
                                                         repertoire.answers, repertoire.scales});
 }
 
+namespace {
+
+/// The options of a figure; a character has its file in place of options, until others are added.
+class FigureOptions {
+ public:
+  explicit FigureOptions(const scenes::Figure& figure)
+      : figure_(FigureForm<scenes::Figure>::write(figure, by_name)),
+        options_(figure_.is_string() ? OrderedJson() : *figure_.begin()) {}
+
+  void add(const char* name, const OrderedJson& value) {
+    if (value.is_null()) return;
+    if (options_.is_string()) options_ = {{figure_.begin().key(), options_}};
+    options_[name] = value;
+  }
+  void add_look(const Look& look) {
+    add("face", FaceForm::write(look.face, by_name));
+    if (look.hands != scenes::Hands::automatic)
+      add("hands", std::string(word_of(hands_words, look.hands)));
+  }
+  std::string text() const { return options_.is_null() || options_.empty() ? "" : options_.dump(); }
+
+  static inline const WritingOptions by_name{.for_key = true};
+
+ private:
+  OrderedJson figure_;
+  OrderedJson options_;
+};
+
+/// The figures and faces that people have instead of the stimulus's, by their names; null without.
+OrderedJson looks_of_people(const Stimulus& stimulus) {
+  OrderedJson people;
+  for (const Person& person : stimulus.people) {
+    const OrderedJson figure = PersonFigureForm::write(person.figure, FigureOptions::by_name);
+    const OrderedJson face = PersonFaceForm::write(person.face, FigureOptions::by_name);
+    if (!figure.is_null()) people[person.name]["figure"] = figure;
+    if (!face.is_null()) people[person.name]["face"] = face;
+  }
+  return people;
+}
+
+}  // namespace
+
 std::string figure_options(const Look& look) {
-  const OrderedJson figure =
-      FigureForm<scenes::Figure>::write(look.figure, WritingOptions{.for_key = true});
-  OrderedJson options = figure.is_string() ? OrderedJson() : *figure.begin();
-  // A character has its file in place of options.
-  const auto add = [&](const char* name, const OrderedJson& value) {
-    if (options.is_string()) options = {{figure.begin().key(), options}};
-    options[name] = value;
-  };
-  const OrderedJson face = FaceForm::write(look.face, WritingOptions{.for_key = true});
-  if (!face.is_null()) add("face", face);
-  if (look.hands != scenes::Hands::automatic)
-    add("hands", std::string(word_of(hands_words, look.hands)));
-  return options.is_null() || options.empty() ? "" : options.dump();
+  FigureOptions options(look.figure);
+  options.add_look(look);
+  return options.text();
+}
+
+std::string figure_options(const Stimulus& stimulus) {
+  FigureOptions options(stimulus.look.figure);
+  options.add_look(stimulus.look);
+  options.add("people", looks_of_people(stimulus));
+  return options.text();
 }
 
 std::string camera_options(const Look& look) {

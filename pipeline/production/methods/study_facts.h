@@ -31,6 +31,9 @@ std::string method_of(const Stimulus& stimulus);
 /// "at x 0.6 m, z 0 m, turned by 90°, begins at 0.5 s".
 std::string person_facts(const Person& person);
 
+/// Returns the look of a stimulus with the figure and the face of one of its people.
+Look look_of_person(const Stimulus& stimulus, const Person& person);
+
 /// Returns the name of a look's set ("studio") or, if the set is read from a file, the file's name.
 std::string scene_name(const Look& look);
 
@@ -38,6 +41,10 @@ std::string scene_name(const Look& look);
 /// that differ from the defaults, as JSON; empty if there are none.
 std::string figure_options(const Look& look);
 std::string camera_options(const Look& look);
+
+/// As `figure_options`, with what people of the stimulus have instead, under "people" by their
+/// names.
+std::string figure_options(const Stimulus& stimulus);
 
 /// Whether the motion of any stimulus of a study uses its examples.
 bool uses_examples(const Manifest& manifest);

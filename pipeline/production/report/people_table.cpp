@@ -11,6 +11,7 @@
 #include "motion/skeleton/body.h"
 #include "pipeline/manifest/people.h"
 #include "pipeline/production/film/film_shot.h"
+#include "pipeline/production/methods/study_facts.h"
 #include "pipeline/production/report/tables.h"
 #include "scenes/cameras/camera_rig.h"
 #include "scenes/figures/figure_colour.h"
@@ -29,6 +30,7 @@ struct ShownPerson {
   std::optional<motion::NearestHands> hands;
 
   const Person& person() const { return stimulus.people[number]; }
+  Look look() const { return look_of_person(stimulus, person()); }
   std::string colour() const {
     return person().colour.empty() ? std::string(scenes::person_colour(number)) : person().colour;
   }
@@ -52,6 +54,9 @@ constexpr auto people_columns = table_of<ShownPerson>(
       "stimulus or person whose motion it is, as `swap` names it; empty for the person's own",
       [](auto& r) { return r.swapped(); }},
      {"colour", "", "colour of the figure", [](auto& r) { return r.colour(); }},
+     {"figure", "", "figure type", [](auto& r) { return scenes::kind_of(r.look().figure).name; }},
+     {"figure_options", "", "figure options that differ from the defaults, as JSON",
+      [](auto& r) { return figure_options(r.look()); }},
      {"start_s", "s", "time of the film at which the motion begins",
       [](auto& r) { return r.person().start; }},
      {"x_m", "m", "position of the pelvis when the film begins: to the right of the stage's middle",

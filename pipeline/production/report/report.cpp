@@ -190,16 +190,16 @@ std::vector<std::string> warnings_of_all(const Manifest& manifest, Motions& moti
 }  // namespace
 
 std::string report(const Manifest& manifest, Motions& motions, const Methods& methods,
-                   const DesignFindings& design) {
+                   const DesignFindings& design, const FilmWarnings& films) {
   std::string body = page_header(manifest, motions) + "<main>\n";
   body += html_list("warnings", warnings_of_all(manifest, motions, design));
   const std::vector<ReportPart> parts = report_parts(manifest);
-  body += findings_section(manifest, motions);
+  body += findings_section(manifest, motions, films);
   if (parts.empty()) {
     body += comparisons_section("Comparisons", comparisons_in(manifest), motions) +
             stills_section(manifest, motions) +
-            stimuli_section("Stimuli", manifest.stimuli, manifest, motions) +
-            overlays_section("Overlays", manifest.overlays, manifest, motions);
+            stimuli_section("Stimuli", manifest.stimuli, manifest, motions, films) +
+            overlays_section("Overlays", manifest.overlays, manifest, motions, films);
   } else {
     body += parts_section(parts, manifest) + stills_section(manifest, motions);
   }
@@ -210,16 +210,16 @@ std::string report(const Manifest& manifest, Motions& motions, const Methods& me
 }
 
 std::string report_part(const std::vector<ReportPart>& parts, std::size_t which,
-                        const Manifest& manifest, Motions& motions) {
+                        const Manifest& manifest, Motions& motions, const FilmWarnings& films) {
   const ReportPart& part = parts[which];
   const std::size_t count = part.end - part.first;
   std::string cards;
   if (part.kind == CardKind::stimulus) {
     cards = stimuli_section(part.title(), std::span(manifest.stimuli).subspan(part.first, count),
-                            manifest, motions);
+                            manifest, motions, films);
   } else if (part.kind == CardKind::overlay) {
     cards = overlays_section(part.title(), std::span(manifest.overlays).subspan(part.first, count),
-                             manifest, motions);
+                             manifest, motions, films);
   } else {
     const std::vector<const Sheet*> all = comparisons_in(manifest);
     cards = comparisons_section(part.title(), std::span(all).subspan(part.first, count), motions);

@@ -139,9 +139,10 @@ std::string contact_sheet(const std::string& id) {
       id, id, id);
 }
 
-}  // namespace
-
-namespace {
+std::string warnings_of_film(const Stimulus& film, const FilmWarnings& films) {
+  const auto found = films.find(film.id);
+  return found == films.end() ? "" : html_list("warnings", found->second);
+}
 
 /// How a motion was made, and what is remarkable about it.
 std::string motion_part(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
@@ -181,21 +182,24 @@ std::string people_part(const Stimulus& stimulus, Motions& motions, NameLanguage
 
 }  // namespace
 
-std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language) {
+std::string stimulus_card(const Stimulus& stimulus, Motions& motions, NameLanguage language,
+                          const FilmWarnings& films) {
   const std::string id = html_escaped(stimulus.id);
   std::string card =
       fmt::format("<article class=\"{}\" id=\"{}\">\n<h3>{} <small>{}</small></h3>\n",
                   name_of(stimulus.role), id, id, name_of(stimulus.role));
   card += video_of(stimulus) + sound_of_card(stimulus) + contact_sheet(id);
+  card += warnings_of_film(stimulus, films);
   card += stimulus.people.empty() ? motion_part(stimulus, motions, language)
                                   : people_part(stimulus, motions, language);
   return card + "</article>\n";
 }
 
-std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions) {
+std::string overlay_card(const Overlay& overlay, const Manifest& manifest, const Motions& motions,
+                         const FilmWarnings& films) {
   const std::string id = html_escaped(overlay.film.id);
   std::string card = fmt::format("<article id=\"{}\">\n<h3>{}</h3>\n", id, id);
-  card += video_of(overlay.film) + contact_sheet(id);
+  card += video_of(overlay.film) + contact_sheet(id) + warnings_of_film(overlay.film, films);
   std::string legend;
   for (const auto& [role, motion] : motions_on(overlay)) {
     std::string name = html_escaped(motion);

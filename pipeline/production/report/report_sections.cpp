@@ -67,6 +67,15 @@ std::string linked_stimuli(const ReportPart& part, const Manifest& manifest) {
   return "<details><summary>stimuli on this page</summary>\n" + links + "</details>\n";
 }
 
+/// The id of a film, linked to its card if it is that of a stimulus.
+std::string linked_film(const Stimulus& film, const Manifest& manifest) {
+  const std::string id = html_escaped(film.id);
+  const auto stimulus = std::ranges::find(manifest.stimuli, film.id, &Stimulus::id);
+  return stimulus == manifest.stimuli.end()
+             ? id
+             : fmt::format("<a href=\"{}\">{}</a>", link_to(*stimulus, manifest), id);
+}
+
 }  // namespace
 
 std::string titled_section(const std::string& title, const std::string& content) {
@@ -74,23 +83,25 @@ std::string titled_section(const std::string& title, const std::string& content)
 }
 
 std::string stimuli_section(const std::string& title, std::span<const Stimulus> stimuli,
-                            const Manifest& manifest, Motions& motions) {
-  std::string films;
+                            const Manifest& manifest, Motions& motions, const FilmWarnings& films) {
+  std::string cards;
   for (const Stimulus& stimulus : stimuli)
-    films += stimulus_card(stimulus, motions, name_language(manifest));
+    cards += stimulus_card(stimulus, motions, name_language(manifest), films);
   const std::string foils = foil_table(stimuli, motions);
-  return titled_section(title, alike(manifest.equalize) + card_grid(films)) +
+  return titled_section(title, alike(manifest.equalize) + card_grid(cards)) +
          (foils.empty() ? "" : titled_section("Foils", foils));
 }
 
 std::string overlays_section(const std::string& title, std::span<const Overlay> overlays,
-                             const Manifest& manifest, Motions& motions) {
-  std::string films;
-  for (const Overlay& overlay : overlays) films += overlay_card(overlay, manifest, motions);
-  return films.empty() ? "" : titled_section(title, card_grid(films));
+                             const Manifest& manifest, Motions& motions,
+                             const FilmWarnings& films) {
+  std::string cards;
+  for (const Overlay& overlay : overlays) cards += overlay_card(overlay, manifest, motions, films);
+  return cards.empty() ? "" : titled_section(title, card_grid(cards));
 }
 
-std::string findings_section(const Manifest& manifest, Motions& motions) {
+std::string findings_section(const Manifest& manifest, Motions& motions,
+                             const FilmWarnings& films) {
   std::string rows;
   std::size_t count = 0;
   for (const Stimulus* stimulus : motion_sources(manifest)) {
@@ -104,6 +115,14 @@ std::string findings_section(const Manifest& manifest, Motions& motions) {
         link_to(*stimulus, manifest), html_escaped(stimulus->id), errors,
         static_cast<std::ptrdiff_t>(made.findings.size() + made.warnings.size()) - errors,
         html_escaped(first_found(made)));
+  }
+  for (const Stimulus* film : films_of(manifest)) {
+    const auto found = films.find(film->id);
+    if (found == films.end()) continue;
+    ++count;
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{} (film)</th><td>0</td><td>{}</td><td>{}</td></tr>\n",
+        linked_film(*film, manifest), found->second.size(), html_escaped(found->second.front()));
   }
   if (rows.empty()) return "";
   constexpr std::size_t most_open = 12;

@@ -85,12 +85,13 @@ Task report_task(const Manifest& manifest, Motions& motions, const Hash& study,
   task.make = [&manifest, &motions, parts](TaskRun& run) {
     const Methods methods = methods_of(manifest, motions);
     const DesignFindings design = filmed_design(manifest, motions, run.store.folder());
-    put_page(run, 0, report(manifest, motions, methods, design));
+    const FilmWarnings films = film_warnings(manifest, run.store.folder());
+    put_page(run, 0, report(manifest, motions, methods, design, films));
     put_page(run, 1, methods.markdown);
     put_page(run, 2, methods.bibtex);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (run.stop.stop_requested()) throw Interrupted{};
-      put_page(run, 3 + i, report_part(parts, i, manifest, motions));
+      put_page(run, 3 + i, report_part(parts, i, manifest, motions, films));
     }
   };
   return task;

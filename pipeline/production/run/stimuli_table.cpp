@@ -149,7 +149,7 @@ constexpr auto stimuli_columns = table_of<MadeStimulus>(
      {"figure", "", "figure type",
       [](auto& r) { return scenes::kind_of(r.film.look.figure).name; }},
      {"figure_options", "", "figure options that differ from the defaults, as JSON",
-      [](auto& r) { return figure_options(r.film.look); }},
+      [](auto& r) { return figure_options(r.film); }},
      {"camera", "", "camera view", [](auto& r) { return r.film.look.camera.view; }},
      {"camera_options", "", "camera options that differ from the defaults, as JSON",
       [](auto& r) { return camera_options(r.film.look); }},

@@ -1,9 +1,9 @@
 #include "pipeline/study/figures/page_figures.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <system_error>
-#include <tuple>
 #include <type_traits>
 #include <variant>
 
@@ -122,9 +122,14 @@ std::string poses_of(const motion::Clip& clip, const JointsIn& joints_in) {
   return positions + rotations;
 }
 
-std::string rig_poses(const scenes::Character& character, const motion::Clip& clip) {
-  return poses_of(scenes::retargeted_to(character, clip),
-                  [&](const motion::Pose& pose) { return scenes::rig_pose(character, pose); });
+/// `turns` are those of the face in each frame of the film: of the clip's first cycle, if it loops.
+std::string rig_poses(const scenes::Character& character, const motion::Clip& clip,
+                      const std::vector<scenes::FaceTurns>& turns) {
+  std::size_t frame = 0;
+  return poses_of(scenes::retargeted_to(character, clip), [&](const motion::Pose& pose) {
+    if (turns.empty()) return scenes::rig_pose(character, pose);
+    return scenes::rig_pose(character, pose, turns[std::min(frame++, turns.size() - 1)]);
+  });
 }
 
 /// Of the body and its hands.
@@ -173,7 +178,7 @@ const PageFigures::FaceFrames& PageFigures::face(const scenes::Character& charac
                                                  const std::string& character_key,
                                                  const FigureRequest& request) {
   const scenes::Face face = face_in(request.figure);
-  static const FaceFrames none = {0, ""};
+  static const FaceFrames none;
   if (face.is_hidden || (face.weights.empty() && face.file.empty())) return none;
   const int frames = face.file.empty() ? 1 : request.film_frames;
   const double rate = request.clip.frames_per_second;
@@ -181,10 +186,14 @@ const PageFigures::FaceFrames& PageFigures::face(const scenes::Character& charac
   for (const auto& [cached_key, cached] : faces_)
     if (cached_key == key) return cached;
   const scenes::FaceMotion motion(character, face, frames, rate);
-  std::string weights;
-  for (int frame = 0; frame < frames; ++frame)
-    for (const double weight : motion.at(frame)) put(weights, weight);
-  faces_.emplace_front(key, FaceFrames(character.face.morph_count, std::move(weights)));
+  FaceFrames made{.morphs = character.face.morph_count};
+  for (int frame = 0; frame < frames; ++frame) {
+    for (const double weight : motion.at(frame)) put(made.weights, weight);
+    made.turns.push_back(motion.turns_at(frame));
+  }
+  const auto is_still = [](const scenes::FaceTurns& turns) { return turns == scenes::FaceTurns(); };
+  if (std::ranges::all_of(made.turns, is_still)) made.turns.clear();
+  faces_.emplace_front(key, std::move(made));
   if (faces_.size() > max_faces) faces_.pop_back();
   return faces_.front().second;
 }
@@ -197,8 +206,10 @@ PageFigure PageFigures::fitted_figure(const FigureRequest& request) {
   if (own != nullptr) {
     const CachedCharacter cached = character(*own, clip.body);
     fitted.joints = cached->rig.size();
-    fitted.poses = rig_poses(*cached, clip);
-    std::tie(fitted.morphs, fitted.face) = face(*cached, key, request);
+    const FaceFrames& shown = face(*cached, key, request);
+    fitted.poses = rig_poses(*cached, clip, shown.turns);
+    fitted.morphs = shown.morphs;
+    fitted.face = shown.weights;
   } else if (motion::is_body(clip.body) && motion::has_fingers(clip)) {
     const motion::Skeleton handed = motion::with_fingers(clip.body);
     fitted.joints = handed.size();

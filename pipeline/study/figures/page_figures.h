@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "motion/skeleton/clip.h"
 #include "scenes/character/character.h"
@@ -61,8 +62,12 @@ class PageFigures {
 
  private:
   using CachedCharacter = std::shared_ptr<const scenes::Character>;
-  /// Number of morphs, and PageFigure::face.
-  using FaceFrames = std::pair<int, std::string>;
+  /// A face in each frame of the film, or in one frame if it stays.
+  struct FaceFrames {
+    int morphs = 0;
+    std::string weights;                   ///< PageFigure::face
+    std::vector<scenes::FaceTurns> turns;  ///< of jaw and eyes; empty: none
+  };
 
   CachedCharacter character(const std::filesystem::path& file, const motion::Skeleton& body);
   const FaceFrames& face(const scenes::Character& character, const std::string& character_key,

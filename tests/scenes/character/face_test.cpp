@@ -1,4 +1,4 @@
-// Faces of characters: morph targets of glTF, expressions of VRM, files of weights, hidden faces.
+// Faces of characters: morph targets of glTF, expressions of VRM, files of weights.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,6 @@
 #include "motion/text/excerpt.h"
 #include "pipeline/temporary_folder.h"
 #include "scenes/character/character_face.h"
-#include "scenes/character/hidden_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
 #include "scenes/stage/actor.h"
@@ -272,56 +271,6 @@ TEST(AFaceMotion, FollowsATableFromItsStart) {
   EXPECT_NE(said.find("none of its names"), std::string::npos) << said;
 }
 
-/// Whether a point is inside the oval, the last mesh of the character; the oval is convex.
-bool is_inside(const SkinnedMesh& oval, const Vec3& point) {
-  for (std::size_t v = 0; v < oval.positions.size(); ++v)
-    if ((point - oval.positions[v]).dot(oval.normals[v]) > 1e-4) return false;
-  return true;
-}
-
-TEST(AHiddenFace, IsBehindAnOvalThatFollowsTheHead) {
-  const Character plain = face_character(FaceFormat::gltf);
-  const Character hidden = with_hidden_face(plain);
-  ASSERT_EQ(hidden.meshes.size(), plain.meshes.size() + 1);
-  const SkinnedMesh& oval = hidden.meshes.back();
-  validate(oval, hidden.rig.size());
-  const double head_z = rig_bind_pose(hidden).positions[motion::Head].z();
-  int enclosed = 0;
-  // The last mesh is the body with the neck.
-  for (std::size_t m = 0; m + 1 < plain.meshes.size(); ++m) {
-    for (std::size_t v = 0; v < plain.meshes[m].positions.size(); v += 7) {
-      const Vec3& at = plain.meshes[m].positions[v];
-      if (at.z() < head_z) continue;
-      EXPECT_TRUE(is_inside(oval, at)) << at.transpose();
-      ++enclosed;
-    }
-  }
-  EXPECT_GT(enclosed, 500);
-  // The oval is no larger than a head, and turns with it.
-  Eigen::AlignedBox3d box;
-  for (const Vec3& at : oval.positions) box.extend(at);
-  EXPECT_LT(box.sizes().maxCoeff(), 0.35);
-  const auto meshes = posed(hidden, turned_head());
-  const JointMotions motions =
-      joint_motions(rig_bind_pose(hidden), rig_pose(hidden, turned_head()));
-  for (std::size_t v = 0; v < oval.positions.size(); v += 50)
-    EXPECT_LT(
-        (meshes.back().positions[v].cast<double>() - motions[motion::Head] * oval.positions[v])
-            .norm(),
-        1e-6);
-}
-
-TEST(AHiddenFace, IsRefusedWithoutAHead) {
-  Character character = face_character(FaceFormat::gltf);
-  std::erase_if(character.meshes, [](const SkinnedMesh& mesh) {
-    return std::ranges::any_of(mesh.influences, [](const auto& influences) {
-      return influences.front().joint == motion::Head;
-    });
-  });
-  EXPECT_NE(mien::test::refusal_of([&] { with_hidden_face(character); }).find("no face to hide"),
-            std::string::npos);
-}
-
 TEST(AnActor, HasTheFaceOfItsFigureInEachFrame) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "face.glb";
@@ -346,6 +295,11 @@ TEST(AnActor, HasTheFaceOfItsFigureInEachFrame) {
   EXPECT_EQ(difference(drawn(moving, 0), drawn({}, 0)), 0.0);
   EXPECT_LT(difference(drawn(moving, 2), drawn(half, 2)), 1e-7);
   EXPECT_GT(difference(drawn(moving, 2), drawn({}, 2)), 0.005);
+  moving.start_s = 1.0;
+  EXPECT_EQ(difference(drawn(moving, 4), drawn({}, 4)), 0.0);
+  moving.start_s = 1.25;
+  const std::string said = mien::test::refusal_of([&] { drawn(moving, 4); });
+  EXPECT_NE(said.find("begin at 1.25 s, but the film ends at 1.25 s"), std::string::npos) << said;
   Face hidden;
   hidden.is_hidden = true;
   EXPECT_EQ(drawn(hidden, 0).size(), drawn({}, 0).size() + 1);

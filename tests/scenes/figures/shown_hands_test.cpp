@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/error.h"
+#include "motion/refusal.h"
 #include "motion/skeleton/recorded_hands.h"
 #include "scenes/bent_fingers.h"
 #include "scenes/figures/stick_figure.h"
@@ -98,6 +99,28 @@ TEST(ShownHands, ThatNobodyMadeAreStated) {
   EXPECT_EQ(warnings(walk(), dots, Hands::drawn), 0u);
   dots.joint_set = "hands";
   EXPECT_EQ(warnings(walk(), dots, Hands::drawn), 1u);
+}
+
+TEST(ShownHands, AreToldOfEachOfSeveralPeople) {
+  const std::vector<Performance> pair = {{.name = "Ann", .clip = walk()},
+                                         {.name = "Bo", .clip = gesture()}};
+  const Shot shot = stage(pair, look_of(StickOptions{}, Hands::drawn));
+  ASSERT_EQ(shot.actors[0].warnings.size(), 1u);
+  EXPECT_EQ(shot.actors[0].warnings.front(),
+            "\"Ann\": The motion has no fingers; relaxed hands are drawn.");
+  EXPECT_TRUE(shot.actors[1].warnings.empty());
+}
+
+TEST(ShownHands, NameTheOptionForFingertipsWithoutFingers) {
+  PointLightOptions dots;
+  dots.joint_set = "hands";
+  EXPECT_EQ(mien::test::refusal_of([&] { stage(walk(), look_of(dots, Hands::automatic)); }),
+            "the motion has no fingers for the fingertips of joints: hands; add hands: drawn to "
+            "the look (--hands drawn) for relaxed hands, or use joints: standard");
+  dots = {.joint_set = "", .joints = {"Head", "LeftThumbTip"}};
+  EXPECT_EQ(mien::test::refusal_of([&] { stage(walk(), look_of(dots, Hands::automatic)); }),
+            "the motion has no fingers for a dot on \"LeftThumbTip\"; add hands: drawn to the look "
+            "(--hands drawn) for relaxed hands, or omit the fingers from joints");
 }
 
 TEST(AStickFigure, HasFingersThatEndAtTheirTips) {

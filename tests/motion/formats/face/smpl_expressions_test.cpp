@@ -38,11 +38,49 @@ TEST(SmplExpressions, AreACurveForEachCoefficient) {
             (std::vector<double>{0.0, 0.1}));
 }
 
+TEST(SmplExpressions, StandBesideTheRotationsOfJawAndEyes) {
+  const NamedArray rate = {"mocap_frame_rate", array_of(std::vector<double>{30.0}, {})};
+  std::vector<double> poses(std::size_t{2} * 165, 0.0);
+  for (std::size_t i = 0; i < 3; ++i) poses[165 + 66 + i] = 0.1 * static_cast<double>(i + 1);
+  poses[165 + 72 + 1] = -0.4;
+  const auto names_of = [](const FaceTrack& track) {
+    std::vector<std::string> names;
+    for (const FaceCurve& curve : track) names.push_back(curve.name);
+    return names;
+  };
+  const FaceTrack whole =
+      parse_smpl_expressions(npz_of({{"poses", array_of(poses, {2, 165})},
+                                     {"expressions", array_of(coefficients, {2, 3})},
+                                     rate}),
+                             "talk.npz", {});
+  // The left eye does not move.
+  EXPECT_EQ(names_of(whole),
+            (std::vector<std::string>{"exp0", "exp1", "exp2", "jaw_pose_x", "jaw_pose_y",
+                                      "jaw_pose_z", "reye_pose_x", "reye_pose_y", "reye_pose_z"}));
+  EXPECT_EQ(whole[4].values, (std::vector<double>{0.0, 0.2}));
+  EXPECT_EQ(whole[7].values, (std::vector<double>{0.0, -0.4}));
+  const FaceTrack parts = parse_smpl_expressions(
+      npz_of({{"jaw_pose", array_of(std::vector<double>{0.1, 0.2, 0.3}, {1, 3})},
+              {"pose_eye", array_of(std::vector<double>{0, 0, 0, 0.4, 0.5, 0.6}, {1, 6})},
+              rate}),
+      "talk.npz", {});
+  ASSERT_EQ(parts.size(), 6u);
+  EXPECT_EQ(parts[2].values.front(), 0.3);
+  EXPECT_EQ(parts[3].name, "reye_pose_x");
+  EXPECT_EQ(parts[3].values.front(), 0.4);
+}
+
 TEST(SmplExpressions, AreRefusedWithTheReason) {
   const NamedArray rate = {"mocap_frame_rate", array_of(std::vector<double>{30.0}, {})};
-  EXPECT_NE(refused_npz({rate}).find("no array of facial expressions"), std::string::npos);
+  EXPECT_NE(refused_npz({rate}).find("neither facial expressions"), std::string::npos);
   EXPECT_NE(refused_npz({{"expressions", array_of(coefficients, {6})}, rate})
                 .find("not of frames and up to 1000 coefficients"),
+            std::string::npos);
+  const std::vector<double> still(165, 0.0);
+  EXPECT_NE(refused_npz({{"poses", array_of(still, {1, 165})}, rate}).find("do not move in it"),
+            std::string::npos);
+  EXPECT_NE(refused_npz({{"jaw_pose", array_of(coefficients, {1, 6})}, rate})
+                .find("not of frames and 3 numbers"),
             std::string::npos);
   std::vector<double> broken = coefficients;
   broken[2] = NAN;

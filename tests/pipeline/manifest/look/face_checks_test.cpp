@@ -100,8 +100,8 @@ TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
             "m.yaml:5:56: stimuli[0].look.figure: the figure \"mannequin\" has no face; use the "
             "figure of a character's file, or face: neutral\n");
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: {one: 0.5}"),
-            "m.yaml:4:47: look.face: the character has no morph targets, by which its face could "
-            "move; export it with its morph targets, or omit face\n");
+            "m.yaml:4:47: look.face: the character has neither morph targets nor joints of jaw or "
+            "eyes to move its face; export it with its morph targets, or omit face\n");
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: hidden"), "");
 }
 
@@ -124,8 +124,8 @@ TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
             "m.yaml:4:53: look.face.file: high.csv:3:3: one: the weight 1.5 is not from 0 to 1; "
             "divide percentages by 100\n");
   EXPECT_EQ(faults(figure + "face: {file: tongue.csv}"),
-            "m.yaml:4:53: look.face.file: none of its names is one of the character's face; rename "
-            "its columns to one, other\n");
+            "m.yaml:4:53: look.face.file: none of its names is one of the character's face, which "
+            "has one, other; rename those of the file\n");
   EXPECT_EQ(faults(figure + "face: {file: frames.csv}"),
             "m.yaml:4:53: look.face.file: frames.csv:1:1: the table counts frames without stating "
             "their rate; state the frames per second (fps)\n");
@@ -137,6 +137,45 @@ TEST_F(FaceManifests, HaveFaultsOfTheirFiles) {
       faults(figure + "face: {file: face.gltf, take: Rize}"),
       "m.yaml:4:53: look.face.file: face.gltf: no animation of a face is called \"Rize\"; did "
       "you mean \"Rise\"?\n");
+}
+
+TEST_F(FaceManifests, RefuseWhatIsGivenTwice) {
+  const std::string figure = "figure: {character: face.gltf}, ";
+  EXPECT_EQ(
+      faults(figure + "face: {one: 0.5, One: 0.2}"),
+      "m.yaml:4:57: look.face.One: it has a weight already, as \"one\"; omit one of the two\n");
+  write("sides.csv", "time,eyeBlink_L,eyeBlinkLeft\n0,0,1\n");
+  SkinnedGltf figure_of_lids = mien::test::skinned_gltf(motion::standard_body(), {});
+  mien::test::add_face(figure_of_lids);
+  figure_of_lids.json["meshes"][0]["extras"]["targetNames"][0] = "eyeBlinkLeft";
+  write("lids.gltf", figure_of_lids.text());
+  EXPECT_EQ(faults("figure: {character: lids.gltf}, face: {file: sides.csv}"),
+            "m.yaml:4:53: look.face.file: \"eyeBlink_L\" and \"eyeBlinkLeft\" are the same part of "
+            "the character's face; keep one of them\n");
+  EXPECT_EQ(faults(figure + "face: {file: rise.csv, fps: 30}"),
+            "m.yaml:4:53: look.face.file: rise.csv:1:1: its times are in seconds, so that it has "
+            "no rate of frames; omit fps\n");
+  write("walk.bvh", "HIERARCHY\n");
+  EXPECT_EQ(faults(figure + "face: {file: walk.bvh}"),
+            "m.yaml:4:53: look.face.file: walk.bvh is no file of weights of a face; give a table "
+            "of weights (.csv, .tsv), a glTF file, or an .npz file of SMPL-X\n");
+}
+
+/// A face that all have is refused for people without one, as for stimuli.
+TEST_F(FaceManifests, AreRefusedForPeopleWithoutOne) {
+  const std::string figure = "figure: {character: face.gltf}, face: hidden";
+  const auto people = [](const std::string& look) {
+    return "}, {id: b, people: [{weights: {sad: 1}, place: {x: 0}}, {weights: {sad: 1}, place: {x: "
+           "1}, look: {" +
+           look + "}}]";
+  };
+  EXPECT_EQ(faults(figure, people("face: {one: 1}")), "");
+  EXPECT_EQ(faults(figure, people("figure: mannequin, face: neutral")), "");
+  const std::string told = faults(figure, people("figure: mannequin"));
+  EXPECT_NE(told.find("stimuli[1].people[1].look.figure: the figure \"mannequin\" has no face; use "
+                      "the figure of a character's file, or face: neutral"),
+            std::string::npos)
+      << told;
 }
 
 TEST_F(FaceManifests, HaveWeightsFrom0To1) {

@@ -155,10 +155,10 @@ TEST(LookOptions, AreRefusedInTheWordsOfTheOptions) {
 
 TEST(LookOptions, TakeACharacterByItsFileAloneOrAsAManifestHasIt) {
   const std::string none =
-      "--figure.character: there is no file nobody.glb; give a skinned character (.gltf, .glb, "
-      ".vrm, .fbx); paths are taken from the manifest's folder";
-  for (const char* figure : {"nobody.glb", "character: nobody.glb", "{character: nobody.glb}"})
-    EXPECT_EQ(faults_of_options({.figure = figure}), none) << figure;
+      ": there is no file nobody.glb; give a skinned character (.gltf, .glb, .vrm, .fbx)";
+  for (const char* figure : {"character: nobody.glb", "{character: nobody.glb}"})
+    EXPECT_EQ(faults_of_options({.figure = figure}), "--figure.character" + none) << figure;
+  EXPECT_EQ(faults_of_options({.figure = "nobody.glb"}), "--figure" + none);
 }
 
 TEST(LookOptions, TakeAFaceAsAWordWeightsOrAFile) {
@@ -177,6 +177,23 @@ TEST(LookOptions, TakeAFaceAsAWordWeightsOrAFile) {
   EXPECT_EQ(face_of("one: 0.5").weights, (scenes::FaceWeights{{"one", 0.5}}));
   EXPECT_EQ(face_of(table).file, table);
   EXPECT_EQ(face_of("{file: '" + table + "', start: 2}").start_s, 2.0);
+  const auto faults_of_face = [&](const std::string& face) {
+    return faults_of_options({.figure = figure, .face = face});
+  };
+  EXPECT_EQ(faults_of_face("smile"),
+            "--face: \"smile\" is neither neutral, hidden, weights nor a file; write weights as "
+            "\"smile: 0.5\", or give a file of weights with its ending (.csv, .npz, .glb)");
+  EXPECT_EQ(faults_of_face("one:0.5"),
+            "--face: \"one:0.5\" is neither neutral, hidden, weights nor a file; write weights as "
+            "\"one: 0.5\", or give a file of weights with its ending (.csv, .npz, .glb)");
+  EXPECT_EQ(faults_of_face("smile.csv"),
+            "--face: there is no file smile.csv; give a table of weights (.csv, .tsv), a glTF "
+            "file, or an .npz file of SMPL-X");
+  const std::string motion = (folder.path() / "walk.bvh").string();
+  write_file(motion, "HIERARCHY\n");
+  EXPECT_EQ(faults_of_face(motion), "--face: " + motion +
+                                        " is no file of weights of a face; give a table of weights "
+                                        "(.csv, .tsv), a glTF file, or an .npz file of SMPL-X");
   EXPECT_EQ(faults_of_options({.face = "hidden"}),
             "--face: the figure \"stick\" has no face; use the figure of a character's file, or "
             "face: neutral");

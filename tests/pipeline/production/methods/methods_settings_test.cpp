@@ -127,6 +127,40 @@ TEST_F(MethodsSettings, StateHandsThatAreNotTheMotions) {
   EXPECT_EQ(methods_with("auto").find("hands drawn"), std::string::npos);
 }
 
+TEST_F(MethodsSettings, StateTheFacesOfPeople) {
+  const std::string methods = methods_for(
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+      "look: {figure: {character: face.gltf}, face: hidden}\n"
+      "stimuli:\n"
+      "  - id: pair\n"
+      "    people:\n"
+      "      - {name: ann, weights: {sad: 1}, place: {x: 0}}\n"
+      "      - {name: bo, weights: {sad: 1}, place: {x: 1}, look: {face: {one: 0.5}}}\n"
+      "      - {name: cy, weights: {sad: 1}, place: {x: 2}, look: {figure: {mannequin: {sex: 1}}, "
+      "face: neutral}}\n"
+      "      - {name: di, weights: {sad: 1}, place: {x: 3}, look: {face: neutral}}\n");
+  for (const char* stated :
+       {"faces hidden behind a plain oval", "the face's one at a weight of 0.5 (pair.bo)",
+        "mannequins of sex 1 (0 female, 1 male) (pair.cy)",
+        "faces as in the file of the character (pair.di)"})
+    EXPECT_NE(methods.find(stated), std::string::npos) << methods;
+}
+
+TEST(StudyFacts, NameTheFacesOfPeople) {
+  Stimulus pair;
+  pair.look.figure = scenes::CharacterOptions{.file = "robot.glb"};
+  pair.people.resize(2);
+  pair.people[0].name = "ann";
+  pair.people[1].name = "bo";
+  EXPECT_EQ(figure_options(pair), R"("robot.glb")");
+  pair.people[1].face.emplace().weights = {{"happy", 0.5}};
+  EXPECT_EQ(figure_options(pair),
+            R"({"character":"robot.glb","people":{"bo":{"face":{"happy":0.5}}}})");
+  EXPECT_EQ(figure_options(look_of_person(pair, pair.people[0])), R"("robot.glb")");
+  EXPECT_EQ(figure_options(look_of_person(pair, pair.people[1])),
+            R"({"character":"robot.glb","face":{"happy":0.5}})");
+}
+
 TEST(StudyFacts, CountHandsAmongTheOptionsOfAFigure) {
   Look look;
   EXPECT_EQ(figure_options(look), "");

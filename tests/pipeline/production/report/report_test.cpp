@@ -56,6 +56,22 @@ std::string unbalanced_tag(const std::string& page) {
 
 TEST(Report, ClosesEveryTag) { EXPECT_EQ(unbalanced_tag(report_of(study_called("plain"))), ""); }
 
+TEST(Report, ListsTheWarningsOfFilms) {
+  const Manifest manifest = study_called("plain");
+  Motions motions(manifest);
+  const FilmWarnings films = {{"mix", {"\"ann\": relaxed <hands> are drawn."}}};
+  const std::string page = report(manifest, motions, methods_of(manifest, motions), {}, films);
+  const std::string sentence = "&quot;ann&quot;: relaxed &lt;hands&gt; are drawn.";
+  const std::size_t in_table = page.find("<a href=\"#mix\">mix</a> (film)");
+  EXPECT_NE(in_table, std::string::npos);
+  EXPECT_LT(page.find(sentence, in_table), page.find("</tr>", in_table));
+  const std::size_t on_card = page.find("id=\"mix\"");
+  EXPECT_LT(page.find("<ul class=\"warnings\">\n<li>" + sentence, on_card),
+            page.find("</article>", on_card));
+  EXPECT_EQ(unbalanced_tag(page), "");
+  EXPECT_EQ(report_of(manifest).find("(film)"), std::string::npos);
+}
+
 TEST(Report, EscapesNames) {
   const std::string page = report_of(study_called("<script>alert(1)</script> & co"));
   EXPECT_EQ(page.find("<script"), std::string::npos);
