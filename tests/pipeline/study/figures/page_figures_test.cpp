@@ -1,5 +1,7 @@
 #include "pipeline/study/figures/page_figures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -12,6 +14,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/temporary_folder.h"
 #include "scenes/character/character_face.h"
+#include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
 
 // What a page gets is compared with what the renderer uses.
@@ -102,6 +105,40 @@ TEST_F(PageFaces, ShareOneFileUnlessTheyAreHidden) {
   EXPECT_NE(open.find("\"targetNames\":[\"one\",\"other\"]"), std::string::npos);
   EXPECT_EQ(closed.find("targetNames"), std::string::npos);
   EXPECT_NE(closed.find("glTF"), std::string::npos);
+}
+
+TEST_F(PageFaces, TurnJawsAndEyesThatAreJointsInEachFrame) {
+  write_file(folder_.path() / "jointed.glb", test::face_figure_glb(test::FaceFormat::joints));
+  write_file(folder_.path() / "open.csv", "time,jawOpen,lookLeft\n0,0,0\n0.3,1,0.5\n");
+  scenes::Face moving;
+  moving.file = folder_.path() / "open.csv";
+  const scenes::Figure figure =
+      scenes::CharacterOptions{.file = folder_.path() / "jointed.glb", .face = moving};
+  const motion::Clip clip = standing(4, false);
+  const PageFigure fitted =
+      figures_.fitted_figure({.figure = figure, .colours = grey, .clip = clip, .film_frames = 4});
+  const scenes::Character character =
+      scenes::scaled_to_body(scenes::read_character(folder_.path() / "jointed.glb"), clip.body);
+  const scenes::FaceMotion film(character, moving, 4, clip.frames_per_second);
+  const motion::Clip own = scenes::retargeted_to(character, clip);
+  const std::vector<float> numbers = floats_in(fitted.poses);
+  const std::size_t joints = character.rig.joints.size();
+  ASSERT_EQ(numbers.size(), 4 * 7 * joints);
+  float turned = 0.0f;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const motion::JointTransforms world =
+        scenes::rig_pose(character, own.poses[f], film.turns_at(static_cast<int>(f)));
+    for (std::size_t j = 0; j < joints; ++j) {
+      for (std::size_t axis = 0; axis < 4; ++axis) {
+        const auto of = [&](std::size_t frame) {
+          return numbers[4 * 3 * joints + 4 * (frame * joints + j) + axis];
+        };
+        EXPECT_NEAR(of(f), world.rotations[j].coeffs()[static_cast<Eigen::Index>(axis)], 1e-6);
+        turned = std::max(turned, std::abs(of(f) - of(0)));
+      }
+    }
+  }
+  EXPECT_GT(turned, 0.1f);
 }
 
 TEST(APageFigure, OfAStickFigureHasTheHandsThatAreShown) {
