@@ -100,6 +100,8 @@ class TurnedPage : public QuestionnairePage {
     for (const json& colour : stick.at("colours")) ++colours[colour.get<std::string>()];
     EXPECT_EQ(colours.at("7a8696"), 5);
     EXPECT_EQ(colours.size(), 3u);
+    EXPECT_EQ(stick.at("colours").at(5), "b1b6be") << "the left clavicle";
+    EXPECT_EQ(stick.at("colours").at(8), "58616d") << "the right one";
     const json& places = doll.at(0).at("people").at(0).at("places");
     EXPECT_EQ(places.size(), 51u);
     const double length = distance(places.at("LeftWrist"), places.at("LeftMiddle3"));
