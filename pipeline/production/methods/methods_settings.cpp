@@ -71,15 +71,18 @@ void add_set(const Stimulus& stimulus, StatedSettings& settings) {
   }
 }
 
-/// What one of several people has instead of the stimulus's figure and face.
+/// What one of several people has instead of the stimulus's figure, face and hands.
 void add_person(const Stimulus& stimulus, const Person& person, StatedSettings& settings) {
   Look own;
   if (person.figure) own.figure = *person.figure;
   if (person.face) own.face = *person.face;
+  own.hands = person.hands.value_or(own.hands);
   add_differences("look.", own, person.motion.id, settings);
   const scenes::Figure shown = look_of_person(stimulus, person).figure;
   if (person.face && person.face->is_neutral() && scenes::file_of(shown) != nullptr)
     settings.add("look.face", "neutral", person.motion.id);
+  if (person.hands == scenes::Hands::automatic && stimulus.look.hands != scenes::Hands::automatic)
+    settings.add("look.hands", "auto", person.motion.id);
 }
 
 std::string size_of(const scenes::PointLightOptions& dots) {

@@ -45,6 +45,7 @@ constexpr OptionWords option_words[] = {
     {"presentation.background", "cards, cross and blanks on grey {} (sRGB, 0 black, 1 white)"},
     {"look.colours", "figures coloured by {}"},
     {"look.hands=drawn", "hands drawn with fingers, relaxed where a motion has none"},
+    {"look.hands=auto", "hands with the fingers of the motion, if it has any"},
     {"look.hands=hidden", "hands drawn without fingers"},
     {"look.scene.background", "the background {}"},
     {"trail.figure.mannequin", "trails of mannequins"},

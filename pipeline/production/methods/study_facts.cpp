@@ -56,6 +56,7 @@ Look look_of_person(const Stimulus& stimulus, const Person& person) {
   Look look = stimulus.look;
   if (person.figure) look.figure = *person.figure;
   if (person.face) look.face = *person.face;
+  look.hands = person.hands.value_or(look.hands);
   return look;
 }
 
@@ -102,7 +103,8 @@ class FigureOptions {
   OrderedJson options_;
 };
 
-/// The figures and faces that people have instead of the stimulus's, by their names; null without.
+/// The figures, faces and hands that people have instead of the stimulus's, by their names; null
+/// without.
 OrderedJson looks_of_people(const Stimulus& stimulus) {
   OrderedJson people;
   for (const Person& person : stimulus.people) {
@@ -110,6 +112,8 @@ OrderedJson looks_of_people(const Stimulus& stimulus) {
     const OrderedJson face = PersonFaceForm::write(person.face, FigureOptions::by_name);
     if (!figure.is_null()) people[person.name]["figure"] = figure;
     if (!face.is_null()) people[person.name]["face"] = face;
+    const OrderedJson hands = PersonHandsForm::write(person.hands, FigureOptions::by_name);
+    if (!hands.is_null()) people[person.name]["hands"] = hands;
   }
   return people;
 }

@@ -146,6 +146,21 @@ TEST_F(MethodsSettings, StateTheFacesOfPeople) {
     EXPECT_NE(methods.find(stated), std::string::npos) << methods;
 }
 
+TEST_F(MethodsSettings, StateTheHandsOfPeople) {
+  const std::string methods = methods_for(
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {hands: drawn}\n"
+      "stimuli:\n"
+      "  - id: pair\n"
+      "    people:\n"
+      "      - {name: ann, weights: {sad: 1}, place: {x: 0}, look: {hands: hidden}}\n"
+      "      - {name: bo, weights: {sad: 1}, place: {x: 1}, look: {hands: auto}}\n"
+      "      - {name: cy, weights: {sad: 1}, place: {x: 2}}\n");
+  for (const char* stated : {"hands drawn with fingers, relaxed where a motion has none",
+                             "hands drawn without fingers (pair.ann)",
+                             "hands with the fingers of the motion, if it has any (pair.bo)"})
+    EXPECT_NE(methods.find(stated), std::string::npos) << methods;
+}
+
 TEST(StudyFacts, NameTheFacesOfPeople) {
   Stimulus pair;
   pair.look.figure = scenes::CharacterOptions{.file = "robot.glb"};
@@ -157,6 +172,9 @@ TEST(StudyFacts, NameTheFacesOfPeople) {
   EXPECT_EQ(figure_options(pair),
             R"({"character":"robot.glb","people":{"bo":{"face":{"happy":0.5}}}})");
   EXPECT_EQ(figure_options(look_of_person(pair, pair.people[0])), R"("robot.glb")");
+  pair.people[0].hands = scenes::Hands::hidden;
+  EXPECT_EQ(figure_options(look_of_person(pair, pair.people[0])),
+            R"({"character":"robot.glb","hands":"hidden"})");
   EXPECT_EQ(figure_options(look_of_person(pair, pair.people[1])),
             R"({"character":"robot.glb","face":{"happy":0.5}})");
 }
