@@ -12,8 +12,8 @@
 #include "motion/math/rotation.h"
 #include "motion/skeleton/clip.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
+#include "scenes/face/character_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/stage/actor.h"
 
