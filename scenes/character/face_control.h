@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,5 +48,15 @@ struct FaceControls {
   /// (face_joints.h). Of several with one name the first counts.
   std::vector<FaceControl> controls;
 };
+
+/// The names of a face's controls, each once, in their order, without those whose weights are
+/// angles of a recording.
+std::vector<std::string> face_names(const FaceControls& face);
+
+/// The control of a name: the first that has it exactly, or else the first that differs only in
+/// upper and lower case or in how the side is written ("eyeBlink_L" for "EyeBlinkLeft"); what
+/// stands before the last "." of a control's name need not be given ("head.eyeBlink_L"). None if
+/// there is none.
+const FaceControl* control_named(const FaceControls& face, std::string_view name);
 
 }  // namespace mien::scenes

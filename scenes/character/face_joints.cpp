@@ -7,7 +7,6 @@
 
 #include "motion/math/rotation.h"
 #include "motion/rig/joint_word.h"
-#include "scenes/character/character_face.h"
 
 namespace mien::scenes {
 

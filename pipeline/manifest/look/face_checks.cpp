@@ -11,8 +11,8 @@
 #include "motion/text/file_contents.h"
 #include "motion/text/nearest_word.h"
 #include "motion/text/text_cursor.h"
-#include "scenes/character/character_face.h"
-#include "scenes/character/face_animation.h"
+#include "scenes/face/character_face.h"
+#include "scenes/face/face_animation.h"
 
 namespace mien::pipeline {
 

@@ -10,7 +10,7 @@
 #include "pipeline/manifest/reading/manifest_yaml.h"
 #include "pipeline/manifest/study_texts.h"
 #include "scenes/character/character.h"
-#include "scenes/character/face_animation.h"
+#include "scenes/face/face_animation.h"
 #include "scenes/figures/figure.h"
 
 namespace mien::pipeline {

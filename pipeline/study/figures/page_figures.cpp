@@ -13,9 +13,9 @@
 #include "motion/skeleton/body.h"
 #include "motion/skeleton/hand.h"
 #include "motion/skeleton/recorded_hands.h"
-#include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
-#include "scenes/character/hidden_face.h"
+#include "scenes/face/character_face.h"
+#include "scenes/face/hidden_face.h"
 #include "scenes/mannequin/mannequin.h"
 
 namespace mien::pipeline {

@@ -8,13 +8,16 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/gltf/gltf_library.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/math/rotation.h"
 #include "motion/skeleton/clip.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/character/character_face.h"
 #include "scenes/character/character_glb.h"
+#include "scenes/face/character_face.h"
 #include "scenes/face_figure.h"
+#include "scenes/fbx_of_gltf.h"
+#include "scenes/skinned_gltf.h"
 #include "scenes/stage/actor.h"
 
 namespace mien::scenes {
@@ -103,6 +106,31 @@ TEST(FaceJoints, AreOnlyThoseThatMoveVerticesOfTheHead) {
   EXPECT_NE(control_named(character.face, "lookLeft"), nullptr);
   const FaceTurns turns = face_pose(character, {{"lookLeft", 1.0}}).turns;
   EXPECT_EQ(turns[FaceJoint::left_eye], Vec3(Vec3::Zero()));
+}
+
+/// A binary glTF file as text.
+std::string text_of_glb(const std::string& glb) {
+  const std::string_view json = motion::gltf_json_text(glb, "face.glb");
+  mien::test::SkinnedGltf file;
+  file.json = nlohmann::json::parse(json);
+  const auto* const end = reinterpret_cast<const unsigned char*>(json.data() + json.size());
+  const auto* const whole = reinterpret_cast<const unsigned char*>(glb.data());
+  constexpr int head_of_chunk = 8;  // its length and kind
+  file.buffer.assign(end + head_of_chunk, whole + glb.size());
+  return file.text();
+}
+
+TEST(FaceJoints, AreFoundInFbxFiles) {
+  const std::string gltf = text_of_glb(mien::test::face_figure_glb(FaceFormat::joints));
+  const Character character = scaled_to_body(
+      parse_character(mien::test::fbx_of_gltf(gltf).binary(), "face.fbx"), motion::standard_body());
+  const Character same = jointed_character();
+  EXPECT_EQ(face_names(character.face), face_names(same.face));
+  const FacePose open = face_pose(character, {{"jawOpen", 1.0}, {"lookLeft", 1.0}});
+  for (const FaceJoint joint : {FaceJoint::jaw, FaceJoint::left_eye, FaceJoint::right_eye})
+    EXPECT_LT(turn_on_head(character, open.turns, joint)
+                  .angularDistance(turn_on_head(same, open.turns, joint)),
+              1e-6);
 }
 
 TEST(FaceJoints, LeaveNamesToMorphTargets) {

@@ -100,7 +100,7 @@ TEST_F(RealFigures, OfThirtyWalksAreWholeMannequins) {
 
 /// Largest angle between the rig's limbs and the motion's, radians.
 double largest_turn_of_limbs(const Character& character, const motion::JointTransforms& rig,
-                             const motion::JointTransforms& body) {
+                             const motion::JointTransforms& of_body) {
   double largest = 0.0;
   for (const motion::BodyJoint joint :
        {motion::LeftElbow, motion::LeftWrist, motion::RightElbow, motion::RightWrist,
@@ -110,7 +110,7 @@ double largest_turn_of_limbs(const Character& character, const motion::JointTran
       return rig.positions[static_cast<size_t>(character.joints[b].position)];
     };
     const Vec3 limb = at(joint) - at(parent);
-    const Vec3 wanted = body.positions[joint] - body.positions[parent];
+    const Vec3 wanted = of_body.positions[joint] - of_body.positions[parent];
     largest = std::max(largest, std::atan2(limb.cross(wanted).norm(), limb.dot(wanted)));
   }
   return largest;

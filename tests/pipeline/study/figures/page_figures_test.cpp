@@ -13,7 +13,7 @@
 #include "motion/skeleton/hand.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/character/character_face.h"
+#include "scenes/face/character_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
 

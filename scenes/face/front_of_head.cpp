@@ -1,4 +1,4 @@
-#include "scenes/character/front_of_head.h"
+#include "scenes/face/front_of_head.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "motion/formats/face/face_track.h"
@@ -11,16 +9,6 @@
 #include "scenes/figures/face.h"
 
 namespace mien::scenes {
-
-/// The names of a face's controls, each once, in their order, without those whose weights are
-/// angles of a recording.
-std::vector<std::string> face_names(const FaceControls& face);
-
-/// The control of a name: the first that has it exactly, or else the first that differs only in
-/// upper and lower case or in how the side is written ("eyeBlink_L" for "EyeBlinkLeft"); what
-/// stands before the last "." of a control's name need not be given ("head.eyeBlink_L"). None if
-/// there is none.
-const FaceControl* control_named(const FaceControls& face, std::string_view name);
 
 /// What the controls of a face make of it.
 struct FacePose {

@@ -1,4 +1,4 @@
-#include "scenes/character/hidden_face.h"
+#include "scenes/face/hidden_face.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "scenes/character/front_of_head.h"
+#include "scenes/face/front_of_head.h"
 
 namespace mien::scenes {
 

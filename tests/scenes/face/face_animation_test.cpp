@@ -1,6 +1,6 @@
 // Weights of faces that glTF files animate.
 
-#include "scenes/character/face_animation.h"
+#include "scenes/face/face_animation.h"
 
 #include <cstring>
 #include <functional>

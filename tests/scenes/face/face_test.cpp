@@ -13,7 +13,7 @@
 #include "motion/skeleton/clip.h"
 #include "motion/text/excerpt.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/character/character_face.h"
+#include "scenes/face/character_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
 #include "scenes/stage/actor.h"

@@ -1,6 +1,6 @@
 // The oval that hides a face: what it encloses, and how far it reaches.
 
-#include "scenes/character/hidden_face.h"
+#include "scenes/face/hidden_face.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "motion/math/rotation.h"
 #include "motion/refusal.h"
-#include "scenes/character/front_of_head.h"
+#include "scenes/face/front_of_head.h"
 #include "scenes/face_figure.h"
 
 #include "real_data.h"

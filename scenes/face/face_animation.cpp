@@ -1,4 +1,4 @@
-#include "scenes/character/face_animation.h"
+#include "scenes/face/face_animation.h"
 
 #include <algorithm>
 #include <cctype>
