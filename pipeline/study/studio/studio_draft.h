@@ -66,9 +66,9 @@ std::string examples_key(const nlohmann::ordered_json& document);
 
 /// The parts of a document that determine the motions and films of the stimuli `ids`, without
 /// sounds, levels, sheets, overlays, experiments, equalization and design. Stimuli on which these
-/// stimuli depend are included: all stimuli if one of `ids` is a foil or has a `swap`, and the reference stimuli if
-/// one of `ids` has a `hold`. Stimuli that are not needed are replaced by placeholders, so that
-/// indices are preserved; those after the last needed stimulus are omitted.
+/// stimuli depend are included: all stimuli if one of `ids` is a foil or has a `swap`, and the
+/// reference stimuli if one of `ids` has a `hold`. Stimuli that are not needed are replaced by
+/// placeholders, so that indices are preserved; those after the last needed stimulus are omitted.
 nlohmann::ordered_json document_excerpt(const nlohmann::ordered_json& document,
                                         const std::vector<std::string>& ids);
 

@@ -355,7 +355,7 @@ TEST(QuestionnaireChecks, LetPeopleBeTurnedUnlessTheyAreDots) {
   EXPECT_EQ(faults_of("stick"), "");
   EXPECT_EQ(faults_of("mannequin"), "");
   const std::string dots = faults_of("point-light");
-  EXPECT_NE(dots.find("m.yaml:8:57: questionnaire.view: the figures of the people of \"pair\" "
+  EXPECT_NE(dots.find("m.yaml:8:53: questionnaire.view: the figures of the people of \"pair\" "
                       "cannot be turned in the browser"),
             std::string::npos)
       << dots;

@@ -212,7 +212,9 @@ export class Figure {
     }
   }
 
-  private poseJoints(motion: LiveMotion, phase: number, joints: Object3D[], poses: Pick<JointPoses, "positions" | "rotations">): void {
+  private poseJoints(
+    motion: LiveMotion, phase: number, joints: Object3D[], poses: Pick<JointPoses, "positions" | "rotations">,
+  ): void {
     const count = joints.length;
     const { frame, next, share, rounds } = betweenFrames(motion, phase);
     const [dx, dy, dz] = motion.displacement;

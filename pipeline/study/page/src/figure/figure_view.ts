@@ -92,7 +92,9 @@ export class FigureView {
   }
 
   /** A figure plays this from now on, from the phase where it was; null: it is gone. `data-shown` counts. */
-  show(figure: number, motion: LiveMotion | null, poses: JointPoses | null = null, face: FaceFrames | null = null): void {
+  show(
+    figure: number, motion: LiveMotion | null, poses: JointPoses | null = null, face: FaceFrames | null = null,
+  ): void {
     const before = this.travelled(figure);
     this.figures[figure]!.show(motion, poses, face);
     if (motion) this.walked[figure]! += before - this.travelled(figure);  // the floor stays where it is

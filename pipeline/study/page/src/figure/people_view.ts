@@ -1,4 +1,6 @@
-import { Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer } from "three";
+import {
+  Color, PerspectiveCamera, type LineBasicMaterial, type LineSegments, type Scene, type WebGLRenderer,
+} from "three";
 import { letTurn, stand, within, type Turn } from "./camera_turn";
 import { floor, hasGraphicsCard, litScene, rendererOn } from "./stage";
 import type { Turned } from "./turned";
