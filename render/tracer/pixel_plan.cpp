@@ -109,8 +109,6 @@ template <bool even>
                                             float* out) {
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
   const FloorRow& row = pixels.row;
-  const float* radiance = pixels.radiance;
-  const float* albedo = pixels.albedo;
   CellLight light;
   Octet of_colour[3];
   for (int part = 0; part < 3; ++part) {
@@ -123,12 +121,13 @@ template <bool even>
       of_colour[part][i] = pixels.uniform_albedo[c];
     }
   }
-  std::size_t i = 0;
-  for (; i + 8 <= pixels.count; i += 8) {
+  // Eight pixels, of which the first is the one with this number.
+  const auto show_eight = [&](std::size_t first, const float* radiance, const float* albedo,
+                              float* shown) __attribute__((always_inline)) {
     // As FloorRow::at.
     Octet u;
     for (int k = 0; k < 8; ++k)
-      u[k] = static_cast<float>(pixels.column + static_cast<int>(i) + k) + 0.5f - row.centre;
+      u[k] = static_cast<float>(pixels.column + static_cast<int>(first) + k) + 0.5f - row.centre;
     const Octet s = row.height / (row.drop + u * row.drop_step);
     const Octet px = row.x + s * (row.from_x + u * row.step_x);
     const Octet pz = row.z + s * (row.from_z + u * row.step_z);
@@ -137,25 +136,25 @@ template <bool even>
       Octet right, far;
       shuffle(along, thrice[part], right);
       shuffle(across, thrice[part], far);
-      const std::size_t place = 3 * i + 8 * static_cast<std::size_t>(part);
       Octet lit, of_light = of_colour[part];
-      std::memcpy(&lit, radiance + place, sizeof lit);
-      if constexpr (!even) std::memcpy(&of_light, albedo + place, sizeof of_light);
+      std::memcpy(&lit, radiance + 8 * part, sizeof lit);
+      if constexpr (!even) std::memcpy(&of_light, albedo + 8 * part, sizeof of_light);
       lit -= of_light * (light.at_corner[part] + right * light.along_x[part] +
                          far * (light.along_z[part] + right * light.along_both[part]));
-      std::memcpy(out + place, &lit, sizeof lit);
+      std::memcpy(shown + 8 * part, &lit, sizeof lit);
     }
-  }
-  for (; i < pixels.count; ++i) {
-    const FloorPlace place = row.at(pixels.column + static_cast<int>(i));
-    const float u = (place.x - x) * inverse_side, v = (place.z - z) * inverse_side;
-    for (int c = 0; c < 3; ++c) {
-      const std::size_t k = 3 * i + static_cast<std::size_t>(c);
-      out[k] = radiance[k] - (even ? pixels.uniform_albedo[c] : albedo[k]) *
-                                 (cell.at_corner[c] + u * cell.along_x[c] +
-                                  v * (cell.along_z[c] + u * cell.along_both[c]));
-    }
-  }
+  };
+  std::size_t i = 0;
+  for (; i + 8 <= pixels.count; i += 8)
+    show_eight(i, pixels.radiance + 3 * i, even ? nullptr : pixels.albedo + 3 * i, out + 3 * i);
+  if (i == pixels.count) return;
+  // The last ones, as part of eight.
+  const std::size_t left = 3 * (pixels.count - i);
+  float last_radiance[24] = {}, last_albedo[24] = {}, last[24];
+  std::copy_n(pixels.radiance + 3 * i, left, last_radiance);
+  if constexpr (!even) std::copy_n(pixels.albedo + 3 * i, left, last_albedo);
+  show_eight(i, last_radiance, last_albedo, last);
+  std::copy_n(last, left, out + 3 * i);
 }
 
 MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {

@@ -58,11 +58,8 @@ class TileRenderer {
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
   void light();
   void resolve(const Tile& tile, const Canvas& canvas);
-  void write(Pixel& pixel, const Canvas& canvas) const;
-  void write_background(const Color& background, int x, int y, const Canvas& canvas) const;
-  float alpha_of_shadow(const Color& left, int x, int y) const {
-    return shadow_alpha(left, Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
-  }
+  void write(int x, int y, const Color& figure, const Color& background, float covered,
+             const Canvas& canvas) const;
   Color floor_shadow(int x, int y) const {
     return Color::Zero() - lines_.occluded(x, y) * prepared_.background.floor_albedo(x, y);
   }
@@ -130,10 +127,10 @@ void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& ca
           is_known ? BackgroundLight{Eigen::Map<const Color>(canvas.color(x, y)), true}
                    : planner_.background_at(x, y);
       if (plan.shows_background_only() && background.complete) {
-        write_background(background.radiance, x, y, canvas);
+        write(x, y, Color::Zero(), background.radiance, 0.0f, canvas);
       } else if (plan.kind == PixelKind::background && background.complete && writes_background_ &&
                  (plan.shadow_lights & ~lines_.lights()) == 0) {
-        if (!is_known) write_background(background.radiance, x, y, canvas);
+        if (!is_known) write(x, y, Color::Zero(), background.radiance, 0.0f, canvas);
         lines_.add(x, y, plan.shadow_lights, 0, samples_);
       } else {
         add_pixel(x, y, plan, background);
@@ -339,33 +336,28 @@ void TileRenderer::resolve(const Tile& tile, const Canvas& canvas) {
       light = (share * samples) * light + share * floor_shadow(x, y);
     }
   }
-  for (Pixel& pixel : pixels_) write(pixel, canvas);
+  for (const Pixel& pixel : pixels_) {
+    const Color background =
+        (share * static_cast<float>(pixel.background_samples)) * pixel.background +
+        share * (pixel.known_set + pixel.set);
+    write(pixel.x, pixel.y, share * (pixel.known_figure + pixel.figure), background,
+          share * static_cast<float>(pixel.covered), canvas);
+  }
 }
 
-void TileRenderer::write(Pixel& pixel, const Canvas& canvas) const {
-  const float share = 1.0f / static_cast<float>(samples_);
-  const Color figure = share * (pixel.known_figure + pixel.figure);
-  const Color background =
-      (share * static_cast<float>(pixel.background_samples)) * pixel.background +
-      share * (pixel.known_set + pixel.set);
-  const bool shown = prepared_.quality.background == Background::shown;
+// Writes what a pixel shows: the radiance of the figure, that of the set with its shadow, and the
+// share of the pixel that the figure covers.
+void TileRenderer::write(int x, int y, const Color& figure, const Color& background, float covered,
+                         const Canvas& canvas) const {
+  const Background kind = prepared_.quality.background;
+  const bool shown = kind == Background::shown;
   const Color color = shown ? Color(background + figure) : figure;
-  std::copy_n(color.data(), 3, canvas.color(pixel.x, pixel.y));
+  std::copy_n(color.data(), 3, canvas.color(x, y));
   if (shown) return;
-  const float covered = share * static_cast<float>(pixel.covered);
-  canvas.alpha(pixel.x, pixel.y) =
-      prepared_.quality.background == Background::transparent
-          ? covered
-          : std::max(covered, alpha_of_shadow(background, pixel.x, pixel.y));
-}
-
-// Writes a pixel without figure or shadow.
-void TileRenderer::write_background(const Color& background, int x, int y,
-                                    const Canvas& canvas) const {
-  if (prepared_.quality.background == Background::shown)
-    std::copy_n(background.data(), 3, canvas.color(x, y));
-  else if (prepared_.quality.background == Background::shadow)
-    canvas.alpha(x, y) = alpha_of_shadow(background, x, y);
+  const Eigen::Map<const Color> whole(prepared_.background.radiance.at(x, y));
+  canvas.alpha(x, y) = kind == Background::transparent
+                           ? covered
+                           : std::max(covered, shadow_alpha(background, whole));
 }
 
 }  // namespace
