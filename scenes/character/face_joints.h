@@ -18,10 +18,9 @@ std::optional<FaceJoint> face_joint_named(std::string_view name);
 /// controls that turn them, where the face has none of that name that moves morphs:
 ///
 /// - "jawOpen": the jaw by 20° about the head's left-right axis, so that the chin goes down and
-/// back
+///   back
 /// - "eyeLookInLeft", "eyeLookOutLeft", "eyeLookUpLeft", "eyeLookDownLeft" of ARKit, and the same
-/// on
-///   the right: one eye by 30° towards or away from the nose, by 25° up or down
+///   on the right: one eye by 30° towards or away from the nose, by 25° up or down
 /// - "lookLeft", "lookRight", "lookUp", "lookDown" of VRM: both eyes by these angles
 /// - "jaw_pose_x", "leye_pose_y" …: the numbers of rotation vectors in files of SMPL-X, in radians
 ///

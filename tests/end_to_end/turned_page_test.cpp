@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include "scenes/face_figure.h"
@@ -30,6 +32,7 @@ stimuli:
   - {id: talker, weights: {normal: 1}, look: {figure: {character: face.glb}, face: {file: talk.csv}}}
   - {id: covered, weights: {normal: 1}, look: {figure: {character: face.glb}, face: hidden}}
   - {id: dots, weights: {normal: 1}, look: {figure: point-light}}
+  - {id: raised, weights: {sad: 1}, modify: {keys: [{at: 0.4 s, right-hand: [-0.15, 2.05, 0.1]}]}}
   - id: pair
     people:
       - {weights: {sad: 1}, place: {x: -0.6, turn: 90}, look: {figure: mannequin, colour: "#d55e00"}}
@@ -84,10 +87,12 @@ class TurnedPage : public QuestionnairePage {
   static void expect_figures(const json& seen) {
     EXPECT_EQ(seen.at("troubles"), json::array());
     const json& stimuli = seen.at("stimuli");
-    ASSERT_EQ(stimuli.size(), 7u);
+    ASSERT_EQ(stimuli.size(), 8u);
     expect_hands(stimuli.at("stick").at(0).at("people").at(0), stimuli.at("doll"));
     expect_faces(stimuli.at("talker"), stimuli.at("covered"));
     expect_pair(stimuli.at("pair"));
+    expect_in_view(stimuli.at("raised"));
+    expect_in_view(stimuli.at("stick"));
     EXPECT_EQ(stimuli.at("dots").at(0).at("people").at(0).at("surfaces"), 0);
   }
 
@@ -110,6 +115,18 @@ class TurnedPage : public QuestionnairePage {
     const json& later = doll.at(1).at("people").at(0).at("places");
     EXPECT_GT(distance(places.at("Pelvis"), later.at("Pelvis")), 0.1);
     EXPECT_NEAR(distance(later.at("LeftWrist"), later.at("LeftMiddle3")), length, 1e-3);
+  }
+
+  /// Nothing is cut off by the upper edge of the picture, whose field of view is 35° high; the
+  /// camera looks at a height of 0.9 m, from 0.12 rad above.
+  static void expect_in_view(const json& moments) {
+    double highest = 0.0;
+    for (const json& moment : moments)
+      for (const auto& [joint, place] : moment.at("people").at(0).at("places").items())
+        highest = std::max(highest, place.at(1).get<double>());
+    const double away = (moments.at(0).at("camera").at(1).get<double>() - 0.9) / std::sin(0.12);
+    EXPECT_GE(away, 3.69);
+    EXPECT_LT(highest + 0.05, 0.9 + std::tan(17.5 * std::numbers::pi / 180.0) * away);
   }
 
   static void expect_faces(const json& talker, const json& covered) {
@@ -160,7 +177,7 @@ TEST_F(TurnedPage, HasEachFigureOnce) {
   EXPECT_NE(media_of("pair").at("figures"), doll) << "another colour";
   const json all = experiment();
   EXPECT_EQ(all.at("stimuli").size(), 7u);
-  EXPECT_EQ(all.at("media").size(), 7u + 4u);
+  EXPECT_EQ(all.at("media").size(), 8u + 4u);
   const std::string archive = text_of(there / "page/turned.jzip");
   for (const auto& [token, media] : all.at("media").items()) {
     const std::string file = media.at("file");

@@ -17,9 +17,8 @@ namespace mien::motion {
 ///   frames) or `Timecode` (hours:minutes:seconds:frames, as Live Link Face writes them for ARKit),
 ///   and increase. Names are compared without regard to case.
 /// - Frames are counted at `frames_per_second`, which is refused for times in seconds. Without it,
-/// those of a timecode are counted at 24,
-///   25, 30, 50 or 60 a second, the least of these that the numbers within a second allow, or at 60
-///   if the table has no whole second.
+///   those of a timecode are counted at 24, 25, 30, 50 or 60 a second, the least of these that the
+///   numbers within a second allow, or at 60 if the table has no whole second.
 /// - Columns of Live Link Face that are not weights are skipped: the count of blend shapes, and the
 ///   angles of head and eyes.
 ///

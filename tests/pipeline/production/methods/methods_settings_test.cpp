@@ -272,7 +272,7 @@ TEST(StatedSettings, LeaveOutNoOptionThatHasNoWords) {
   settings.add("look.camera", {{"lens", {{"new_one", 3}}}}, "a");
   settings.add("output.fade_in", true, "b");
   EXPECT_EQ(settings.text({"a", "b"}), "camera lens new one: 3 (a); fade in: yes (b)");
-  EXPECT_EQ(settings.text({"a"}), "camera lens new one: 3; fade in: yes");
+  EXPECT_EQ(settings.text({"a"}), "camera lens new one: 3; fade in: yes (b)");
 }
 
 TEST(StatedSettings, ShowForeignTextOnOneLine) {

@@ -50,6 +50,7 @@ class TurnedPerson {
   private nowAt: Float32Array;
   private nowTurned: Float32Array;
   private root = 0;
+  private skinHeight = 0;
 
   constructor(private head: PersonHead, private frames: number, numbers: Float32Array, begin: number) {
     this.count = jointsOf(head);
@@ -74,7 +75,15 @@ class TurnedPerson {
   wear(skin: Skin): void {
     this.figure.paint(null);
     this.figure.wear(skin);
+    this.skinHeight = skin.height;
     this.root = Math.max(0, skin.joints.findIndex((joint) => joint.userData["body_joint"] === 0));
+  }
+
+  /** Of what is seen at its highest, metres: a surface may reach beyond its joints. */
+  height(): number {
+    let highest = this.skinHeight;
+    for (let i = 1; i < this.positions.length; i += 3) highest = Math.max(highest, this.positions[i]! + aboveJoints);
+    return highest;
   }
 
   pose(at: number, fps: number): void {
@@ -96,6 +105,9 @@ class TurnedPerson {
     return { x: this.nowAt[3 * this.root]!, z: this.nowAt[3 * this.root + 2]! };
   }
 }
+
+/** How far heads and hands reach above the joints, metres. */
+const aboveJoints = 0.12;
 
 interface Circle {
   x: number;
@@ -122,6 +134,9 @@ function circleAround(people: TurnedPerson[]): Circle {
 /** So far away that all of the circle is in view, metres. */
 const distanceOf = (circle: Circle): number => Math.min(12, Math.max(3.7, 3.2 * circle.radius + 1));
 
+/** So far away that nothing up to this height is cut off, before a camera that looks at a height of 0.9 m, metres. */
+const distanceOfHeight = (height: number): number => Math.min(12, Math.max(3.7, (height - 0.8) / 0.27));
+
 /** People as in the film, each in a figure of its own. `figures`: the bytes of their files. */
 export async function peopleOf(head: PeopleHead, numbers: Float32Array, figures: ArrayBuffer[]): Promise<Turned> {
   let begin = 0;
@@ -136,11 +151,13 @@ export async function peopleOf(head: PeopleHead, numbers: Float32Array, figures:
   const object = new Group();
   object.add(...people.map(({ figure }) => figure.group));
   const circle = circleAround(people);
+  const tallest = distanceOfHeight(Math.max(...people.map((person) => person.height())));
   return {
     object,
     seconds: head.frames / head.fps,
     stands: head.front
-      ? { azimuth: Math.atan2(head.front[0], head.front[1]), distance: distanceOf(circle) } : {},
+      ? { azimuth: Math.atan2(head.front[0], head.front[1]), distance: Math.max(distanceOf(circle), tallest) }
+      : { distance: tallest },
     pose: (seconds) => people.forEach((person) =>
       person.pose(Math.min(seconds * head.fps, head.frames - 1), head.fps)),
     middle: () => (people.length > 1 ? circle : people[0]!.place()),
