@@ -176,7 +176,7 @@ TEST_F(TurnedPage, HasEachFigureOnce) {
   EXPECT_NE(media_of("talker").at("figures"), media_of("covered").at("figures"));
   EXPECT_NE(media_of("pair").at("figures"), doll) << "another colour";
   const json all = experiment();
-  EXPECT_EQ(all.at("stimuli").size(), 7u);
+  EXPECT_EQ(all.at("stimuli").size(), 8u);
   EXPECT_EQ(all.at("media").size(), 8u + 4u);
   const std::string archive = text_of(there / "page/turned.jzip");
   for (const auto& [token, media] : all.at("media").items()) {
