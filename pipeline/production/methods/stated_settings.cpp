@@ -237,7 +237,9 @@ std::string StatedSettings::text(const Names& everybody) const {
   Names parts;
   for (const auto& [who, words] : groups) {
     std::string part = listed(words);
-    const auto has_it = [&](const std::string& one) { return std::ranges::find(who, one) != who.end(); };
+    const auto has_it = [&](const std::string& one) {
+      return std::ranges::find(who, one) != who.end();
+    };
     if (!std::ranges::all_of(everybody, has_it)) {
       part += who.size() <= most_named ? " (" + listed(who) + ")"
                                        : fmt::format(" ({} of {})", who.size(), everybody.size());
