@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/skeleton/recorded_hands.h"
 #include "pipeline/base/reading/field_writer.h"
 #include "pipeline/manifest/people.h"
 #include "pipeline/production/methods/methods_parts.h"
@@ -57,6 +58,13 @@ bool has_modification(const ModificationStep& step) {
   return !step.emotion.empty() || step.style || step.edit.pose || !step.edit.named.empty();
 }
 
+/// What was set by hand; fingers are scaled only where there are any.
+OrderedJson settings_by_hand(const ModificationStep& step, const motion::Clip& made) {
+  OrderedJson settings = EditForm::write(step.edit, recipe_writing);
+  if (!motion::has_fingers(made)) settings.erase("hands");
+  return settings;
+}
+
 void describe_steps(MethodsText& out) {
   std::size_t modified = 0, reduced = 0;
   double least_share = 1.0;
@@ -77,7 +85,8 @@ void describe_steps(MethodsText& out) {
         strengths.add(step.strength);
       }
       if (step.style) add_once(styles, source_of(step.style->method));
-      by_hand.add("modify", EditForm::write(step.edit, recipe_writing), stimulus.id);
+      by_hand.add("modify", settings_by_hand(step, out.motions.of(stimulus.id).motion.clip),
+                  stimulus.id);
       if (step.style)
         by_hand.add("style", StyleForm::write(step.style, recipe_writing), stimulus.id);
     }

@@ -146,6 +146,14 @@ TEST_F(MethodsSettings, StateTheFacesOfPeople) {
     EXPECT_NE(methods.find(stated), std::string::npos) << methods;
 }
 
+TEST_F(MethodsSettings, StateNoScaledFingersOfMotionsWithoutAny) {
+  const std::string methods = methods_for(
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+      "stimuli: [{id: a, weights: {sad: 1}, modify: {paths: 1.5, hands: scale}}]\n");
+  EXPECT_NE(methods.find("path length 1.5"), std::string::npos) << methods;
+  EXPECT_EQ(methods.find("fingers"), std::string::npos) << methods;
+}
+
 TEST_F(MethodsSettings, StateTheHandsOfPeople) {
   const std::string methods = methods_for(
       "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nlook: {hands: drawn}\n"
