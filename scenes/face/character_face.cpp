@@ -35,7 +35,7 @@ FacePose face_pose(const Character& character, const FaceWeights& weights) {
   FacePose pose = face_without_weights(character);
   for (const auto& [name, weight] : weights) {
     const FaceControl* control = control_named(character.face, name);
-    if (control == nullptr)
+    if (control == nullptr || control->is_angle)
       throw Error({character.name}, "its face has no " + motion::in_quotes(name),
                   motion::did_you_mean(name, face_names(character.face)));
     add_weight(*control, weight, pose);

@@ -116,7 +116,7 @@ TEST_F(Resume, AnInterruptedRunSaysSoAndGoesOn) {
   EXPECT_EQ(resumed.code, 0) << resumed.errors;
 }
 
-TEST(RunFaults, AreToldWhereTheManifestAsksForTheWork) {
+TEST(RunFaults, AreLocatedInTheManifest) {
   const Scratch scratch;
   const std::string manifest =
       scratch.write("held.yaml",

@@ -91,6 +91,10 @@ class TurnedPage : public QuestionnairePage {
     expect_hands(stimuli.at("stick").at(0).at("people").at(0), stimuli.at("doll"));
     expect_faces(stimuli.at("talker"), stimuli.at("covered"));
     expect_pair(stimuli.at("pair"));
+    for (const auto& [stimulus, camera] : seen.at("cameras").items()) {
+      EXPECT_EQ(camera.at("home"), stimuli.at(stimulus).at(0).at("camera")) << stimulus;
+      EXPECT_NE(camera.at("turned"), camera.at("home")) << stimulus;
+    }
     expect_in_view(stimuli.at("raised"));
     expect_in_view(stimuli.at("stick"));
     EXPECT_EQ(stimuli.at("dots").at(0).at("people").at(0).at("surfaces"), 0);

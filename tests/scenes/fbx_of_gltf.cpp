@@ -2,13 +2,17 @@
 
 #include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "motion/formats/gltf/gltf_accessor.h"
+#include "motion/formats/gltf/gltf_library.h"
 #include "motion/formats/gltf/gltf_nodes.h"
 #include "motion/math/rotation.h"
+#include "scenes/skinned_gltf.h"
 
 namespace mien::test {
 
@@ -241,6 +245,17 @@ FbxSceneBuilder fbx_of_gltf(const std::string& text, const FbxOfGltf& how) {
   writer.add_models();
   writer.add_meshes();
   return writer.fbx;
+}
+
+std::string text_of_glb(const std::string& glb) {
+  const std::string_view json = motion::gltf_json_text(glb, "face.glb");
+  SkinnedGltf file;
+  file.json = nlohmann::json::parse(json);
+  const auto* const end = reinterpret_cast<const unsigned char*>(json.data() + json.size());
+  const auto* const whole = reinterpret_cast<const unsigned char*>(glb.data());
+  constexpr int head_of_chunk = 8;  // its length and kind
+  file.buffer.assign(end + head_of_chunk, whole + glb.size());
+  return file.text();
 }
 
 }  // namespace mien::test

@@ -25,4 +25,7 @@ struct FbxOfGltf {
 /// as limbs, its first skin and the meshes with it, each with its materials and pictures.
 FbxSceneBuilder fbx_of_gltf(const std::string& gltf, const FbxOfGltf& how = {});
 
+/// A binary glTF file as text, with its buffer embedded.
+std::string text_of_glb(const std::string& glb);
+
 }  // namespace mien::test

@@ -30,6 +30,12 @@ class GivenNames {
     return scenes::control_named(controls_, name) != nullptr;
   }
 
+  /// Whether it is known and has weights, rather than the angles of a recording.
+  bool has_weights(const std::string& name) const {
+    const scenes::FaceControl* control = scenes::control_named(controls_, name);
+    return control != nullptr && !control->is_angle;
+  }
+
   /// The name by which the control of this one was given before; empty if it was not.
   std::string before(const std::string& name) {
     const auto [known, is_new] = names_.try_emplace(scenes::control_named(controls_, name), name);
@@ -47,7 +53,7 @@ void check_weights(const scenes::FaceWeights& weights, const std::string& path, 
   GivenNames given(controls);
   for (const auto& [name, weight] : weights) {
     const std::string own = member_path(path, name);
-    if (!given.is_known(name)) {
+    if (!given.has_weights(name)) {
       list.add_at_key(own, "the character's face has no " + motion::in_quotes(name),
                       motion::did_you_mean(name, names));
     } else if (const std::string before = given.before(name); !before.empty()) {

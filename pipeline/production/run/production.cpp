@@ -70,10 +70,10 @@ Task design_task(const Manifest& manifest, Motions& motions, const Hash& study,
   return task;
 }
 
-/// The task, whose errors are told where the manifest asks for its work. What is wrong in a file
-/// has a place of its own. `places` outlives the task.
-Task told_at(Task task, const Places& places, const std::string& path) {
-  const auto telling = [&places, path](const auto& work) {
+/// The task, with its errors located at a path of the manifest, unless they name a file. `places`
+/// outlives the task.
+Task located_at(Task task, const Places& places, const std::string& path) {
+  const auto locating = [&places, path](const auto& work) {
     try {
       work();
     } catch (const Error& error) {
@@ -82,12 +82,12 @@ Task told_at(Task task, const Places& places, const std::string& path) {
     }
   };
   if (task.make)
-    task.make = [telling, make = std::move(task.make)](TaskRun& run) {
-      telling([&] { make(run); });
+    task.make = [locating, make = std::move(task.make)](TaskRun& run) {
+      locating([&] { make(run); });
     };
   if (task.make_part)
-    task.make_part = [telling, make = std::move(task.make_part)](TaskRun& run, const Part& part) {
-      telling([&] { make(run, part); });
+    task.make_part = [locating, make = std::move(task.make_part)](TaskRun& run, const Part& part) {
+      locating([&] { make(run, part); });
     };
   return task;
 }
@@ -153,7 +153,7 @@ Production::Production(Manifest manifest, ProductionOptions options)
 /// The motions, and the tasks that equalize films across them.
 void Production::add_motions(const SharedDeterminants& shared) {
   for (const Stimulus* motion : motion_sources(manifest_))
-    graph_.add(told_at(motion_task(*motion, shared, motions_), manifest_.places, motion->path));
+    graph_.add(located_at(motion_task(*motion, shared, motions_), manifest_.places, motion->path));
   if (manifest_.equalize.duration) graph_.add(durations_task(manifest_, shared, motions_));
   const FilmSettings settings{.seed = manifest_.seed, .threads = threads(), .sets = &sets_};
   for (Task& task : equalizing_tasks(manifest_, shared, settings, motions_)) {
@@ -167,12 +167,13 @@ void Production::add_stimuli(const SharedDeterminants& shared) {
     if (!is_wanted(stimulus.id)) continue;
     for (const Stimulus* motion : motions_in(stimulus)) {
       if (!motion->output.clips.empty())
-        add(told_at(clip_task(*motion, equalize, shared, motions_), manifest_.places, motion->path),
+        add(located_at(clip_task(*motion, equalize, shared, motions_), manifest_.places,
+                       motion->path),
             equalize);
     }
     if (has_dots(stimulus)) {
-      add(told_at(dots_task(stimulus, manifest_.seed, equalize, shared, motions_), manifest_.places,
-                  stimulus.path),
+      add(located_at(dots_task(stimulus, manifest_.seed, equalize, shared, motions_),
+                     manifest_.places, stimulus.path),
           equalize);
     }
     add_film(subject_of(stimulus, manifest_, motions_), shared);
@@ -190,10 +191,10 @@ void Production::add_sheets(const SharedDeterminants& shared) {
     if (!is_wanted(sheet)) continue;
     if (sheet.stills.empty()) {
       graph_.add(
-          told_at(sheet_task(sheet, manifest_, shared, motions_), manifest_.places, sheet.path));
+          located_at(sheet_task(sheet, manifest_, shared, motions_), manifest_.places, sheet.path));
     } else {
-      add(told_at(stills_task(sheet, manifest_, film_settings({}), shared, motions_),
-                  manifest_.places, sheet.path),
+      add(located_at(stills_task(sheet, manifest_, film_settings({}), shared, motions_),
+                     manifest_.places, sheet.path),
           manifest_.equalize);
     }
   }
@@ -210,7 +211,8 @@ void Production::add_study(const SharedDeterminants& shared) {
 
 void Production::add_film(const FilmSubject& subject, const SharedDeterminants& shared) {
   const FilmSettings settings = film_settings(subject.film.output);
-  add(told_at(film_task(subject, settings, shared, motions_), manifest_.places, subject.film.path),
+  add(located_at(film_task(subject, settings, shared, motions_), manifest_.places,
+                 subject.film.path),
       subject.equalize);
 }
 

@@ -8,12 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/formats/gltf/gltf_library.h"
 #include "motion/formats/numpy/npz.h"
 #include "motion/math/rotation.h"
+#include "motion/refusal.h"
 #include "motion/skeleton/clip.h"
 #include "pipeline/temporary_folder.h"
-#include "scenes/character/character_glb.h"
 #include "scenes/face/character_face.h"
 #include "scenes/face_figure.h"
 #include "scenes/fbx_of_gltf.h"
@@ -86,6 +85,10 @@ TEST(FaceJoints, GiveAFaceWithoutMorphTargetsItsControls) {
                                       "eyeLookDownLeft", "eyeLookDownRight", "eyeLookInLeft",
                                       "eyeLookInRight", "eyeLookOutLeft", "eyeLookOutRight",
                                       "lookUp", "lookDown", "lookLeft", "lookRight"}));
+  EXPECT_NE(mien::test::refusal_of([&] {
+              face_pose(character, {{"jaw_pose_x", 0.5}});
+            }).find("its face has no \"jaw_pose_x\""),
+            std::string::npos);
   // A face of targets has no joints, so that its own jawOpen remains.
   const Character targets = jointed_character(FaceFormat::gltf);
   EXPECT_EQ(control_named(targets.face, "lookLeft"), nullptr);
@@ -108,20 +111,8 @@ TEST(FaceJoints, AreOnlyThoseThatMoveVerticesOfTheHead) {
   EXPECT_EQ(turns[FaceJoint::left_eye], Vec3(Vec3::Zero()));
 }
 
-/// A binary glTF file as text.
-std::string text_of_glb(const std::string& glb) {
-  const std::string_view json = motion::gltf_json_text(glb, "face.glb");
-  mien::test::SkinnedGltf file;
-  file.json = nlohmann::json::parse(json);
-  const auto* const end = reinterpret_cast<const unsigned char*>(json.data() + json.size());
-  const auto* const whole = reinterpret_cast<const unsigned char*>(glb.data());
-  constexpr int head_of_chunk = 8;  // its length and kind
-  file.buffer.assign(end + head_of_chunk, whole + glb.size());
-  return file.text();
-}
-
 TEST(FaceJoints, AreFoundInFbxFiles) {
-  const std::string gltf = text_of_glb(mien::test::face_figure_glb(FaceFormat::joints));
+  const std::string gltf = mien::test::text_of_glb(mien::test::face_figure_glb(FaceFormat::joints));
   const Character character = scaled_to_body(
       parse_character(mien::test::fbx_of_gltf(gltf).binary(), "face.fbx"), motion::standard_body());
   const Character same = jointed_character();

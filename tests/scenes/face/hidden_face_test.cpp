@@ -13,6 +13,7 @@
 #include "motion/refusal.h"
 #include "scenes/face/front_of_head.h"
 #include "scenes/face_figure.h"
+#include "scenes/fbx_of_gltf.h"
 
 #include "real_data.h"
 
@@ -115,6 +116,13 @@ void expect_size_of_head(const Character& plain) {
 }
 
 TEST(AHiddenFace, HasTheOutlineOfTheHead) { expect_size_of_head(synthetic_head()); }
+
+TEST(AHiddenFace, HasTheOutlineOfTheHeadOfAnFbxCharacter) {
+  const std::string gltf =
+      mien::test::text_of_glb(mien::test::face_figure_glb(mien::test::FaceFormat::joints));
+  expect_size_of_head(scaled_to_body(
+      parse_character(mien::test::fbx_of_gltf(gltf).binary(), "face.fbx"), hidden_body));
+}
 
 TEST(AHiddenFace, HasTheOutlineOfARealHelmet) {
   const auto data = test::real_data();

@@ -12,6 +12,7 @@
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/determinants.h"
 #include "pipeline/temporary_folder.h"
+#include "scenes/face_figure.h"
 #include "scenes/skinned_gltf.h"
 
 namespace mien::pipeline {
@@ -103,6 +104,15 @@ TEST_F(FaceManifests, HaveFaultsWithPlaceAndRemedy) {
             "m.yaml:4:47: look.face: the character has neither morph targets nor joints of jaw or "
             "eyes to move its face; export it with its morph targets, or omit face\n");
   EXPECT_EQ(faults("figure: {character: stone.gltf}, face: hidden"), "");
+}
+
+TEST_F(FaceManifests, HaveNoAnglesOfRecordingsForWeights) {
+  std::ofstream(folder_.path() / "jointed.glb", std::ios::binary)
+      << mien::test::face_figure_glb(mien::test::FaceFormat::joints);
+  EXPECT_EQ(faults("figure: {character: jointed.glb}, face: {jawOpen: 0.5}"), "");
+  EXPECT_NE(faults("figure: {character: jointed.glb}, face: {jaw_pose_x: 0.5}")
+                .find("look.face.jaw_pose_x: the character's face has no \"jaw_pose_x\""),
+            std::string::npos);
 }
 
 TEST_F(FaceManifests, ShareAFaceThatTheFiguresOfStimuliHave) {

@@ -39,7 +39,6 @@ class TurnScreen implements Screen {
     this.renderer = new WebGLRenderer({ canvas: this.element, antialias: true, preserveDrawingBuffer: true });
     this.resized = new ResizeObserver(() => this.draw());
     this.resized.observe(this.element);
-    letTurn(this.element, this.turn, () => this.draw());
     this.ready = this.load(files, colour);
   }
 
@@ -48,6 +47,7 @@ class TurnScreen implements Screen {
     if (this.isReleased) return turned.release();
     this.turned = turned;
     Object.assign(this.turn, turned.stands);
+    letTurn(this.element, this.turn, () => this.draw());
     this.scene = litScene();
     this.scene.add(floor(), turned.object);
     this.show(0);

@@ -37,7 +37,7 @@ const drawnAt = (page, seconds) => page.evaluate((seconds) => {
 
 const browser = await openBrowser();
 const { page, troubles } = await opener(browser)(link ?? `file://${join(folder, "index.html")}?participant=p001`);
-const seen = { stimuli: {} };
+const seen = { stimuli: {}, cameras: {} };
 await take(page, {
   each: async (sight, number) => {
     if (sight !== "trial" || !(await page.locator(".stage").count())) return false;
@@ -45,6 +45,11 @@ await take(page, {
     await page.waitForFunction(() => document.querySelector("canvas.turned")?.screen.turned, null, { timeout: 60000 });
     const stimulus = experiment.stimuli[token];
     seen.stimuli[stimulus] = [await drawnAt(page, 0), await drawnAt(page, 0.4)];
+    const keys = async (...names) => {
+      for (const key of names) await page.locator("canvas.turned").dispatchEvent("keydown", { key });
+      return (await drawnAt(page, 0)).camera;
+    };
+    seen.cameras[stimulus] = { turned: await keys("ArrowLeft", "-"), home: await keys("Home") };
     if (process.env.MIEN_PICTURES) {
       await page.locator(".stage").evaluate((stage) => stage.classList.add("open"));
       await page.screenshot({ path: join(process.env.MIEN_PICTURES, `turned-${stimulus}.png`) });
