@@ -118,7 +118,7 @@ struct WithOrigin {
 };
 
 /// Column with the origin of a row's ratings, from its member `simulated`.
-inline constexpr SharedColumn whose_ratings_column = {
+inline constexpr SharedColumn whose_ratings_column{
     "ratings", "", "given (by people) or simulated",
     [](auto& r) { return origin_text(r.simulated); }};
 

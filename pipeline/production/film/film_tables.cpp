@@ -43,7 +43,7 @@ std::string place_of_figure(const FilmRecord& film, std::size_t axis) {
   return film.figure_place ? fmt::format("{:.2f}", (*film.figure_place)[axis]) : "";
 }
 
-constexpr SharedColumn film_column = {"stimulus", "", "id of the stimulus or overlay",
+constexpr SharedColumn film_column{"stimulus", "", "id of the stimulus or overlay",
                                       [](auto& r) { return r.stimulus; }};
 
 constexpr auto luminance_columns = table_of<MadeFilm>(

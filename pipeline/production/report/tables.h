@@ -46,7 +46,7 @@ extern const StudyTable impressions_table;
 extern const StudyTable expectations_table;
 
 /// The column of the ratings on which a motion is based, for rows with a member `ratings`.
-inline constexpr SharedColumn ratings_column = {
+inline constexpr SharedColumn ratings_column{
     "ratings", "",
     "ratings on which the motion is based: given (by people), simulated or none (features, "
     "weights, files, paths)",

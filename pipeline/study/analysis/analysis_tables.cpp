@@ -72,7 +72,7 @@ struct ScaleAgreement {
   const Agreement& of() const { return all.agreements[row]; }
 };
 
-constexpr SharedColumn ratings_column = {
+constexpr SharedColumn ratings_column{
     "ratings", "", "given (by people) or simulated",
     [](auto& r) { return origin_text(r.all.impressions.simulated); }};
 

@@ -33,9 +33,9 @@ struct EstimateRow {
   const ScaleEstimator& of;
 };
 
-constexpr SharedColumn scale_column = {"scale", "", "id of the scale",
+constexpr SharedColumn scale_column{"scale", "", "id of the scale",
                                        [](auto& r) { return r.of.scale; }};
-constexpr SharedColumn usable_column = {"usable", "0/1",
+constexpr SharedColumn usable_column{"usable", "0/1",
                                         "1: cross-validated R² above 0, and p at most 0.05",
                                         [](auto& r) { return r.of.is_usable(); }};
 

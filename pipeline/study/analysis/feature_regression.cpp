@@ -97,9 +97,9 @@ struct LeftOutExample {
   }
 };
 
-constexpr SharedColumn parameter_column = {"parameter", "", "scale or group of scales",
+constexpr SharedColumn parameter_column{"parameter", "", "scale or group of scales",
                                            [](auto& r) { return r.check.parameter; }};
-constexpr SharedColumn left_out_column = {
+constexpr SharedColumn left_out_column{
     "left_out", "",
     "what is left out of the fit for each prediction: the example, or its style (all takes of it)",
     [](auto& r) { return r.check.left_out; }};

@@ -37,7 +37,7 @@ struct TrackPointRow {
 
 using MeanThresholdRow = ResultRow<GroupThreshold>;
 
-constexpr SharedColumn factor_column = {"factor", "", "the factor of adaptive trials",
+constexpr SharedColumn factor_column{"factor", "", "the factor of adaptive trials",
                                         [](auto& r) { return r.in.thresholds->factor; }};
 
 constexpr auto threshold_columns = result_table<ThresholdRow>(

@@ -27,7 +27,7 @@ struct TriadsRow {
   const ParticipantTriads& of;
 };
 
-constexpr SharedColumn worth_item_column = {"item", "", "scale or question id",
+constexpr SharedColumn worth_item_column{"item", "", "scale or question id",
                                             [](auto& r) { return r.all.item; }};
 
 constexpr auto worth_columns = result_table<WorthRow>(
