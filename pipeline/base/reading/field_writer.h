@@ -39,7 +39,7 @@ class FieldWriter {
   void operator()(const char* key, const Enum& value, unsigned concerns, Words<Enum> words) {
     for (const auto& [word, meaning] : words)
       if (meaning == value)
-        add(key, concerns, [&](const WritingOptions&) { return OrderedJson(word); });
+        add(key, concerns, [&said = word](const WritingOptions&) { return OrderedJson(said); });
   }
 
   void group(const char* key, auto&& walk) { nested(key, walk); }

@@ -44,7 +44,7 @@ std::string place_of_figure(const FilmRecord& film, std::size_t axis) {
 }
 
 constexpr SharedColumn film_column{"stimulus", "", "id of the stimulus or overlay",
-                                      [](auto& r) { return r.stimulus; }};
+                                   [](auto& r) { return r.stimulus; }};
 
 constexpr auto luminance_columns = table_of<MadeFilm>(
     "metrics/luminance.csv", "film",

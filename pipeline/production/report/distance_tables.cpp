@@ -39,12 +39,12 @@ struct ComparedFeature {
 };
 
 constexpr SharedColumn sheet_column{"sheet", "", "id of the sheet",
-                                       [](auto& r) { return r.sheet.id; }};
+                                    [](auto& r) { return r.sheet.id; }};
 constexpr SharedColumn target_column{"target", "",
-                                        "target stimulus or example; in a gallery, the first one",
-                                        [](auto& r) { return r.pair.target; }};
+                                     "target stimulus or example; in a gallery, the first one",
+                                     [](auto& r) { return r.pair.target; }};
 constexpr SharedColumn created_column{"created", "", "stimulus or example compared with it",
-                                         [](auto& r) { return r.pair.created; }};
+                                      [](auto& r) { return r.pair.created; }};
 constexpr SharedColumn pair_ratings_column{
     "ratings", "",
     "ratings on which either motion is based: given (by people), simulated or none (features, "

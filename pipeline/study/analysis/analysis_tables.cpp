@@ -72,9 +72,9 @@ struct ScaleAgreement {
   const Agreement& of() const { return all.agreements[row]; }
 };
 
-constexpr SharedColumn ratings_column{
-    "ratings", "", "given (by people) or simulated",
-    [](auto& r) { return origin_text(r.all.impressions.simulated); }};
+constexpr SharedColumn ratings_column{"ratings", "", "given (by people) or simulated", [](auto& r) {
+                                        return origin_text(r.all.impressions.simulated);
+                                      }};
 
 constexpr auto quantification_columns = table_of<ScaleQuantity>(
     "quantification.csv", "scale",

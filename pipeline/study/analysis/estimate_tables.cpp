@@ -34,10 +34,10 @@ struct EstimateRow {
 };
 
 constexpr SharedColumn scale_column{"scale", "", "id of the scale",
-                                       [](auto& r) { return r.of.scale; }};
+                                    [](auto& r) { return r.of.scale; }};
 constexpr SharedColumn usable_column{"usable", "0/1",
-                                        "1: cross-validated R² above 0, and p at most 0.05",
-                                        [](auto& r) { return r.of.is_usable(); }};
+                                     "1: cross-validated R² above 0, and p at most 0.05",
+                                     [](auto& r) { return r.of.is_usable(); }};
 
 constexpr auto estimate_checks_columns = table_of<ScaleRow>(
     "estimate_checks.csv", "scale",

@@ -98,7 +98,7 @@ struct LeftOutExample {
 };
 
 constexpr SharedColumn parameter_column{"parameter", "", "scale or group of scales",
-                                           [](auto& r) { return r.check.parameter; }};
+                                        [](auto& r) { return r.check.parameter; }};
 constexpr SharedColumn left_out_column{
     "left_out", "",
     "what is left out of the fit for each prediction: the example, or its style (all takes of it)",

@@ -80,21 +80,21 @@ using ComparedRow = WithOrigin<MatchingComparison>;
 double share(int part, int all) { return all > 0 ? part / static_cast<double>(all) : NAN; }
 
 constexpr SharedColumn measure_column{"measure", "", "first_guess_d (metres) or time_s",
-                                         [](auto& r) { return name_of(r.of.measure); }};
+                                      [](auto& r) { return name_of(r.of.measure); }};
 constexpr SharedColumn interface_column{"interface", "", "adjectives, features, weights …",
-                                           [](auto& r) { return r.of.interface; }};
+                                        [](auto& r) { return r.of.interface; }};
 constexpr SharedColumn first_column{"first", "", "one interface",
-                                       [](auto& r) { return r.of.first; }};
+                                    [](auto& r) { return r.of.first; }};
 constexpr SharedColumn second_column{"second", "", "the interface subtracted from it",
-                                        [](auto& r) { return r.of.second; }};
+                                     [](auto& r) { return r.of.second; }};
 constexpr SharedColumn pairs_column{"participants", "",
-                                       "number of participants with both interfaces",
-                                       [](auto& r) { return r.of.exact.pairs; }};
+                                    "number of participants with both interfaces",
+                                    [](auto& r) { return r.of.exact.pairs; }};
 constexpr SharedColumn target_column{
     "target", "", "id of the target; all: all targets together",
     [](auto& r) { return r.of.target.empty() ? "all" : r.of.target; }};
 constexpr SharedColumn sessions_column{"sessions", "", "given (by people) or simulated",
-                                          [](auto& r) { return origin_text(r.simulated); }};
+                                       [](auto& r) { return origin_text(r.simulated); }};
 
 constexpr auto means_columns = table_of<MeanRow>(
     "means.csv", "measure, interface and target",

@@ -91,17 +91,17 @@ InterfaceSummary summary_of(const std::vector<InterfaceResult>& results,
 }
 
 constexpr SharedColumn method_column{"method", "", "method of interpolation",
-                                        [](auto& r) { return motion::name_of(r.method); }};
+                                     [](auto& r) { return motion::name_of(r.method); }};
 constexpr SharedColumn kind_column{"interface", "", "adjectives, features or weights",
-                                      [](auto& r) { return name_of(r.kind); }};
+                                   [](auto& r) { return name_of(r.kind); }};
 constexpr SharedColumn procedure_column{
     "procedure", "",
     "nearest: the setting of a slider grid nearest to the target; user: a simulated user",
     [](auto& r) { return r.step > 0.0 ? "nearest" : "user"; }};
 constexpr SharedColumn step_column{"step", "0–1", "step of the grid; empty for users",
-                                      [](auto& r) { return r.step > 0.0 ? r.step : NAN; }};
+                                   [](auto& r) { return r.step > 0.0 ? r.step : NAN; }};
 constexpr SharedColumn nobody_column{"simulated", "", "always 1: no person is involved",
-                                        [](auto&) { return true; }};
+                                     [](auto&) { return true; }};
 
 constexpr auto results_columns = table_of<InterfaceResult>(
     "interface_trials.csv", "target, interface and procedure",

@@ -15,12 +15,12 @@ using RuleRow = ResultRow<RuleCount>;
 using FlagRow = ResultRow<ListedFlag>;
 
 constexpr SharedColumn named_stimulus_column{"stimulus", "", "stimulus id",
-                                                [](auto& r) { return r.of.stimulus; }};
+                                             [](auto& r) { return r.of.stimulus; }};
 constexpr SharedColumn item_column{"item", "", "scale or question id",
-                                      [](auto& r) { return r.of.item; }};
+                                   [](auto& r) { return r.of.item; }};
 constexpr SharedColumn excluded_column{"excluded", "",
-                                          "1 for participants excluded by the report's rule",
-                                          [](auto& r) { return r.of.is_excluded; }};
+                                       "1 for participants excluded by the report's rule",
+                                       [](auto& r) { return r.of.is_excluded; }};
 
 constexpr ResultColumn<SessionRow> session_list[] = {
     {"participant", "", "participant id", [](auto& r) { return r.of.participant; }},

@@ -81,24 +81,24 @@ void add_results(const Table<Row, count>& table, const auto& results, const Answ
 // Columns shared by several tables.
 
 inline constexpr SharedColumn stimulus_column{"stimulus", "", "stimulus id",
-                                                 [](auto& r) { return r.stimulus().id; }};
+                                              [](auto& r) { return r.stimulus().id; }};
 inline constexpr SharedColumn made_column{"made", "",
-                                             "level of factor made: acted, modified or as-is",
-                                             [](auto& r) { return r.stimulus().made; }};
+                                          "level of factor made: acted, modified or as-is",
+                                          [](auto& r) { return r.stimulus().made; }};
 inline constexpr SharedColumn emotion_column{"emotion", "", "level of factor emotion",
-                                                [](auto& r) { return r.stimulus().emotion; }};
+                                             [](auto& r) { return r.stimulus().emotion; }};
 inline constexpr SharedColumn setting_column{
     "setting", "",
     "levels of the other factors except strength, example and clip; comparisons are made within a "
     "setting",
     [](auto& r) { return r.stimulus().setting; }};
 inline constexpr SharedColumn scale_column{"scale", "", "scale id",
-                                              [](auto& r) { return r.scale().id; }};
+                                           [](auto& r) { return r.scale().id; }};
 inline constexpr SharedColumn adjusted_column{"p_adjusted", "",
-                                                 "p corrected for multiple comparisons, over the "
-                                                 "rows of the question (groups), of the confusion "
-                                                 "matrix (recall) or of the whole table",
-                                                 [](auto& r) { return p_field(r.of.adjusted); }};
+                                              "p corrected for multiple comparisons, over the "
+                                              "rows of the question (groups), of the confusion "
+                                              "matrix (recall) or of the whole table",
+                                              [](auto& r) { return p_field(r.of.adjusted); }};
 
 /// Adds the tables of comparisons.
 void add_comparisons(const Results& results, std::vector<WrittenTable>& tables);

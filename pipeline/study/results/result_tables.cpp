@@ -59,13 +59,12 @@ constexpr auto histogram_columns = result_table<HistogramBar>(
      {"share", "0–1", "proportion of the answers about the stimulus on this scale",
       [](auto& r) { return 1.0 * r.count / r.summary.of.answers; }}});
 
-constexpr SharedColumn by_column{"by", "", "ratings (points rule) or choices", [](auto& r) {
-                                      return r.all.by_points ? "ratings" : "choices";
-                                    }};
+constexpr SharedColumn by_column{"by", "", "ratings (points rule) or choices",
+                                 [](auto& r) { return r.all.by_points ? "ratings" : "choices"; }};
 constexpr SharedColumn of_column{"of", "", "level of factor made that the rows cover, or all",
-                                    [](auto& r) { return r.all.of; }};
+                                 [](auto& r) { return r.all.of; }};
 constexpr SharedColumn shown_column{"shown", "", "intended emotion",
-                                       [](auto& r) { return r.of.emotion; }};
+                                    [](auto& r) { return r.of.emotion; }};
 
 constexpr auto confusion_columns = result_table<ConfusionCell>(
     "results/confusion.csv", "cell of a confusion matrix",

@@ -38,7 +38,7 @@ struct TrackPointRow {
 using MeanThresholdRow = ResultRow<GroupThreshold>;
 
 constexpr SharedColumn factor_column{"factor", "", "the factor of adaptive trials",
-                                        [](auto& r) { return r.in.thresholds->factor; }};
+                                     [](auto& r) { return r.in.thresholds->factor; }};
 
 constexpr auto threshold_columns = result_table<ThresholdRow>(
     "results/thresholds.csv", "participant, and all answers together",

@@ -28,7 +28,7 @@ struct TriadsRow {
 };
 
 constexpr SharedColumn worth_item_column{"item", "", "scale or question id",
-                                            [](auto& r) { return r.all.item; }};
+                                         [](auto& r) { return r.all.item; }};
 
 constexpr auto worth_columns = result_table<WorthRow>(
     "results/worth.csv", "scale and stimulus or condition of a study of pairs or sets",
