@@ -8,7 +8,8 @@ Quality draft_quality() {
   quality.sky_rays = 1;
   quality.samples_shaded_together = 2;
   quality.shades_pixel_pairs = true;
-  quality.shares_occlusion = true;
+  quality.sky_sharing_pixels = 3;
+  quality.samples_per_shared_ray = 4;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;
@@ -21,6 +22,7 @@ Quality standard_quality() { return {}; }
 Quality final_quality() {
   Quality quality;
   quality.samples_per_pixel = 128;
+  quality.sky_sharing_pixels = quality.floor_sharing_pixels = 0;
   quality.static_samples = 256;
   quality.floor_sky_noise = 0.001f;
   quality.floor_sky_tolerance = 0.002f;

@@ -14,9 +14,9 @@ enum class Background {
 /// Settings for the quality and cost of a picture. The same scene, camera and settings give the
 /// same bytes.
 ///
-/// A shaded sample of a solid casts one shadow ray per light. On the floor, lines across the lights
-/// (line_shadow.h) replace shadow rays where possible; samples share a line where penumbrae are
-/// wide.
+/// A shaded sample of a solid casts one shadow ray per light. On the floor, lines across
+/// the lights (line_shadow.h) replace shadow rays where possible; samples share a line where
+/// penumbrae are wide.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
@@ -29,10 +29,13 @@ struct Quality {
   /// `samples_shaded_together`.
   bool shades_pixel_pairs = false;
 
-  /// Whether neighbouring samples of one surface share what they find occluded of the sky, on the
-  /// figure, and of the area lights, on the floor, where shadow rays find it: less noise, but
-  /// blurred by 3 pixels on the figure and by 2 on the floor.
-  bool shares_occlusion = false;
+  /// Samples that show the same part of a figure share what they find occluded of the sky within so
+  /// many pixels: less noise, but blurred. 0: each sample has its own.
+  int sky_sharing_pixels = 2;
+  /// As above for what shadow rays find occluded of the area lights on the floor.
+  int floor_sharing_pixels = 2;
+  /// Where samples share, one of so many casts rays.
+  int samples_per_shared_ray = 6;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
   /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points. At each

@@ -75,6 +75,11 @@ std::optional<Vec3> floor_point(const RayPacket& rays, int ray) {
   return point;
 }
 
+float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direction) {
+  if (!scene.has_ground) return infinity;
+  return distance_to_floor(origin, direction).value_or(infinity);
+}
+
 std::array<FirstHit, packet_size> first_hits(const PreparedScene& prepared, const RayPacket& rays,
                                              bool with_figure) {
   std::array<FirstHit, packet_size> first;

@@ -18,6 +18,10 @@ RayPacket camera_rays(const PreparedScene& prepared, std::span<const Sample> sam
 /// Returns the point of the floor at which a ray ends; nothing if it goes past the floor.
 std::optional<Vec3> floor_point(const RayPacket& rays, int ray);
 
+/// Returns the distance at which a ray of light from the sky ends: the floor occludes nothing, but
+/// what lies below it does not occlude either.
+float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direction);
+
 /// The solid that a camera ray meets first.
 struct FirstHit {
   int shape = -1;  ///< index into the figure's shapes, or the static ones; −1: none

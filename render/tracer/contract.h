@@ -40,13 +40,13 @@ inline constexpr BiasBound floor_sky_bias{0.07, 0.02, 0.007};
 /// the horizon, where the floor fades within few pixels, and smaller in larger pictures.
 inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 
-/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: in drafts, the sky's
-/// occlusion is blurred by 3 pixels.
-inline constexpr BiasBound figure_sky_bias{0.02, 0.0, 0.0};
+/// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: its occlusion is
+/// blurred, in drafts by 3 pixels, in standard quality by 2.
+inline constexpr BiasBound figure_sky_bias{0.03, 0.02, 0.0};
 
-/// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts, shadows of
-/// meshes are blurred by 2 pixels.
-inline constexpr BiasBound floor_shadow_bias{0.02, 0.0, 0.0};
+/// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts and standard
+/// quality, shadows of meshes are blurred by 2 pixels.
+inline constexpr BiasBound floor_shadow_bias{0.02, 0.02, 0.0};
 
 /// Every quantity of which a picture is made. The model is that of the reference: Lambert surfaces
 /// with a GGX lobe, direct light of area lights and a sky. Tests named Contract cover draft,
@@ -58,8 +58,8 @@ inline constexpr std::array contract{
                 "shadow rays; in drafts shared by two neighbouring pixels",
                 "Contract.HoldsPerBlock"},
     ContractRow{"light of the sky on solids", Accuracy::biased, figure_sky_bias,
-                "closed form, less what shadow rays find occluded; in drafts the mean over "
-                "neighbouring samples of one surface",
+                "closed form, less what shadow rays find occluded, in drafts and standard quality "
+                "the mean over neighbouring samples of one surface",
                 "Contract.HoldsPerBlock (unshared), SharedOcclusion.KeepsTheMeansOfBlocks"},
     ContractRow{"floor and backdrop without shadows", Accuracy::biased, floor_light_bias,
                 "closed form at the centre of the pixel, every eighth pixel where a cubic suffices",
@@ -71,7 +71,7 @@ inline constexpr std::array contract{
     ContractRow{
         "shadows of the area lights on the floor", Accuracy::biased, floor_shadow_bias,
         "line samples, shared by up to 2 x 2 pixels in wide penumbrae; else shadow rays, in "
-        "drafts the mean over neighbouring samples",
+        "drafts and standard quality the mean over neighbouring samples",
         "Contract.HoldsPerBlock (unshared), "
         "SharedOcclusion.KeepsTheMeansOfTheFloorsShadows"},
     ContractRow{"occlusion of the sky on the floor", Accuracy::biased, floor_sky_bias,

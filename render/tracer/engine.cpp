@@ -6,6 +6,7 @@
 #include <tbb/parallel_pipeline.h>
 
 #include "render/light/line_shadow.h"
+#include "render/tracer/occlusion_rays.h"
 
 namespace mien::render {
 
@@ -74,6 +75,29 @@ void Engine::sample_floor_sky(PreparedScene& prepared) {
     });
   });
   prepared.floor_sky.finish(prepared.scene.sky);
+}
+
+void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera) {
+  const Quality& quality = prepared.quality;
+  const int reach = std::max(quality.sky_sharing_pixels, quality.floor_sharing_pixels);
+  if (reach == 0 || quality.reference) return;
+  // Also beside the window, so that its pixels are those of the whole picture.
+  const Window window = window_of(camera);
+  const auto begin = [&](int first) { return std::max(first - reach, 0) / tile_size * tile_size; };
+  const auto end = [&](int last, int size) {
+    return std::min((last + reach + tile_size - 1) / tile_size * tile_size, size);
+  };
+  const Tile all{begin(window.x), end(window.x + window.width, camera.width), begin(window.y),
+                 end(window.y + window.height, camera.height)};
+  SharedOcclusion shared(camera.height, quality.sky_sharing_pixels, quality.floor_sharing_pixels);
+  run_alone([&] {
+    tbb::parallel_for(0, (all.y_end - all.y_begin + tile_size - 1) / tile_size, [&](int band) {
+      const int y = all.y_begin + band * tile_size;
+      render::find_shared_occlusion(
+          prepared, {all.x_begin, all.x_end, y, std::min(y + tile_size, all.y_end)}, shared);
+    });
+  });
+  prepared.shared_occlusion = std::move(shared);
 }
 
 SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
@@ -152,7 +176,8 @@ Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camer
                                          const Quality& quality, const StaticBackground& open) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.static_samples;
-  thorough.shades_pixel_pairs = thorough.shares_occlusion = thorough.floor_sky_smooth = false;
+  thorough.shades_pixel_pairs = thorough.floor_sky_smooth = false;
+  thorough.sky_sharing_pixels = thorough.floor_sharing_pixels = 0;
   thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);
   thorough.background = Background::shown;
   RenderTarget target{Framebuffer(camera.width, camera.height), {}};
@@ -201,6 +226,7 @@ PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Qu
           .line_lights = line_lights,
           .casters = std::move(casters),
           .floor_sky = std::move(floor_sky),
+          .shared_occlusion = {},
           .opacities = opacities_of(scene)};
 }
 

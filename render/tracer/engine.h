@@ -63,6 +63,9 @@ class Engine {
   /// Samples the figures' occlusion of the sky, as seen from the floor.
   void sample_floor_sky(PreparedScene& prepared);
 
+  /// Finds what pixels share of the figure's occlusion, for the window of the camera.
+  void find_shared_occlusion(PreparedScene& prepared, const Camera& camera);
+
   /// Calls `work` for parts of the picture, each of whole tiles, that together cover the window. A
   /// thread that has to wait for the others works on other frames meanwhile. Throws Stopped when a
   /// stop was requested.

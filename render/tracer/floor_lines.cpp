@@ -64,17 +64,22 @@ void FloorLines::add(int x, int y, std::uint32_t lights, int first, int count) {
     is_empty_ = false;
   }
   const std::size_t pixel = number(x, y);
-  if (samples_[pixel] == 0) occluded_[pixel] = Color::Zero();
+  if (samples_[pixel] == 0) {
+    occluded_[pixel] = Color::Zero();
+    is_shared_[pixel] = (lights & ~prepared_.line_lights) != 0;
+  }
   samples_[pixel] += count;
+  lights &= prepared_.line_lights;
+  if (lights == 0) return;
   if (is_of_block()) {
     const int block_x = x - x % block_width_, block_y = y - y % block_height_;
-    lights_[number(block_x, block_y)] |= lights & this->lights();
+    lights_[number(block_x, block_y)] |= lights;
     return;
   }
   for (const int last = first + count; first < last;) {
     const int group = first / group_size_;
     const int end = std::min((group + 1) * group_size_, last);
-    enqueue({x, y, lights & this->lights(), group, end - first});
+    enqueue({x, y, lights, group, end - first});
     first = end;
   }
 }
@@ -101,6 +106,16 @@ void FloorLines::enqueue(const Query& query) {
 void FloorLines::resolve() {
   if (is_of_block() && !is_empty_) add_blocks();
   if (count_ > 0) resolve_batch();
+  if (is_empty_) return;
+  for (int y = tile_.y_begin; y < tile_.y_end; ++y) {
+    for (int x = tile_.x_begin; x < tile_.x_end; ++x) {
+      const std::size_t pixel = number(x, y);
+      if (samples_[pixel] == 0 || !is_shared_[pixel]) continue;
+      occluded_[pixel] +=
+          static_cast<float>(samples_[pixel]) *
+          prepared_.shared_occlusion.at(x, y, SharedOcclusion::floor_part, Vec3::UnitY());
+    }
+  }
 }
 
 void FloorLines::resolve_batch() {

@@ -13,7 +13,9 @@
 
 namespace mien::render {
 
-/// The shadows of area lights on the floor of a tile by line sampling (line_shadow.h).
+/// The shadows of area lights on the floor of a tile: by line sampling (line_shadow.h) or, if
+/// Quality::floor_sharing_pixels says so, from what was found for the floor nearby
+/// (SharedOcclusion).
 ///
 /// Samples share lines where penumbrae are wide: four samples of a pixel in penumbrae at least 4
 /// pixels wide. With two samples per pixel, the samples of two pixels share a line in penumbrae at
@@ -29,8 +31,10 @@ class FloorLines {
   /// horizon.
   void begin_tile(const Tile& tile, std::uint32_t lights, const std::optional<FloorArea>& area);
 
-  /// Bit i: the shadows of light i on the floor are line-sampled.
-  std::uint32_t lights() const { return prepared_.line_lights; }
+  /// Bit i: the shadows of light i on the floor are found so, without rays for each sample.
+  std::uint32_t lights() const {
+    return prepared_.quality.floor_sharing_pixels > 0 ? ~0u : prepared_.line_lights;
+  }
 
   /// Width of the block of pixels that share lines.
   int block_width() const { return block_width_; }
@@ -86,6 +90,7 @@ class FloorLines {
   bool is_empty_ = true;  // no samples were added; the lists of pixels are then invalid
   std::array<int, pixels> samples_{};           // number of samples that were added
   std::array<std::uint32_t, pixels> lights_{};  // lights of a block, at its first pixel
+  std::array<bool, pixels> is_shared_{};        // some shadows are those found nearby
   std::array<Color, pixels> occluded_;
 
   std::array<Query, lanes> queries_;

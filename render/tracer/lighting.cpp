@@ -1,24 +1,15 @@
 #include "render/tracer/lighting.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "render/light/floor.h"
 #include "render/light/light.h"
-#include "render/math/constants.h"
+#include "render/tracer/camera_rays.h"
 
 namespace mien::render {
 namespace {
 
 bool is_black(const Surface& surface) {
   return (surface.albedo == 0.0f).all() && surface.material->specular_f0 == 0.0f;
-}
-
-/// Distance at which a ray of light ends: the floor occludes nothing, but what lies below it does
-/// not occlude either.
-float distance_to_end(const Scene& scene, const Vec3& origin, const Vec3& direction) {
-  if (!scene.has_ground) return infinity;
-  return distance_to_floor(origin, direction).value_or(infinity);
 }
 
 /// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch, and
@@ -94,22 +85,23 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVe
   }
 }
 
-// The unoccluded sky's light is known in closed form; rays subtract what is occluded.
+// The unoccluded sky's light is known in closed form; what is occluded is shared, or rays subtract
+// it.
 void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals,
                        bool of_figure) {
   const Sky& sky = prepared_.scene.sky;
-  const bool shares = of_figure && prepared_.quality.shares_occlusion;
-  std::array<int, lanes> numbers{};
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    const Surface& surface = batch[i].surface;
+  const bool shares = of_figure && prepared_.quality.sky_sharing_pixels > 0;
+  for (const ShadingPoint& point : batch) {
+    const Surface& surface = point.surface;
     if (is_black(surface)) continue;
-    add_light(batch[i].sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
+    add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
               surface.albedo * unoccluded_sky_light(sky, surface.normal));
-    if (shares) numbers[i] = shared_.add_figure(batch[i].sample, surface);
+    if (shares) add_to_group(point);
   }
+  if (shares) return;
   Query query;
   query.sum = of_figure ? &Pixel::figure : &Pixel::set;
-  query.decision = shares ? Decision::shares_if_occluded : Decision::subtracts_if_occluded;
+  query.decision = Decision::subtracts_if_occluded;
   const int rays = prepared_.quality.sky_rays;
   const float share = 1.0f / static_cast<float>(rays);
   for (int k = 0; k < rays; ++k) {
@@ -119,14 +111,31 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
       const Surface& surface = batch[i].surface;
       if (is_black(surface)) continue;
       const Vec3 direction = towards.at(static_cast<int>(i));
-      const Color light = share * sky_radiance(sky, direction);
       query.sample = batch[i].sample;
-      query.light = shares ? light : Color(surface.albedo * light);
-      query.shared = numbers[i];
+      query.light = surface.albedo * (share * sky_radiance(sky, direction));
       enqueue(query, surface.origin, direction,
               distance_to_end(prepared_.scene, surface.origin, direction));
     }
   }
+}
+
+void Lighting::add_to_group(const ShadingPoint& point) {
+  const Sample& sample = point.sample;
+  const int part = point.surface.part;
+  std::size_t number = groups_.size();
+  while (number > 0 && groups_[number - 1].pixel == sample.pixel &&
+         groups_[number - 1].part != part)
+    --number;
+  if (number == 0 || groups_[number - 1].pixel != sample.pixel) {
+    groups_.push_back({sample.pixel, part});
+    number = groups_.size();
+  }
+  Group& group = groups_[number - 1];
+  group.normals += point.surface.normal;
+  group.albedo += sample.weight * point.surface.albedo;
+  if (sample.partner == nullptr) return;
+  group.partner = sample.partner;
+  group.partner_albedo += sample.partner_weight * point.surface.albedo;
 }
 
 void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) {
@@ -135,9 +144,6 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
   query.sum = &Pixel::set;
   const Decision subtracts =
       of_all ? Decision::subtracts_if_occluded : Decision::subtracts_if_shadowed;
-  std::array<int, lanes> numbers{};
-  for (std::size_t i = 0; i < batch.size(); ++i)
-    if (batch[i].shares && batch[i].lights != 0) numbers[i] = shared_.add_floor(batch[i].sample);
   const LaneVectors origins = origins_of(batch);
   std::uint32_t lights = 0;
   bool any_sky = false;
@@ -159,10 +165,8 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
         continue;
       const Color light = irradiance * scene.lights[k].radiance;
       query.sample = point.sample;
-      query.decision = point.shares ? Decision::shares_if_shadowed : subtracts;
-      query.shared = numbers[static_cast<std::size_t>(i - 1)];
-      query.light =
-          point.shares ? Color(light / pi) : Color(light * reflectance(point.surface, towards));
+      query.decision = subtracts;
+      query.light = light * reflectance(point.surface, towards);
       enqueue(query, point.surface.origin, towards, distance);
     }
   }
@@ -211,12 +215,6 @@ void Lighting::trace() {
       case Decision::subtracts_if_shadowed:
         if (figure && !set) add_light(query.sample, query.sum, -query.light);
         break;
-      case Decision::shares_if_occluded:
-        if (figure || set) shared_.occlude(query.shared, query.light);
-        break;
-      case Decision::shares_if_shadowed:
-        if (figure && !set) shared_.occlude(query.shared, query.light);
-        break;
     }
   }
   rays_.count = 0;
@@ -224,7 +222,14 @@ void Lighting::trace() {
 
 void Lighting::finish() {
   trace();
-  shared_.subtract();
+  for (const Group& group : groups_) {
+    const Pixel& pixel = *group.pixel;
+    const Color lacking =
+        prepared_.shared_occlusion.at(pixel.x, pixel.y, group.part, group.normals);
+    group.pixel->figure -= group.albedo * lacking;
+    if (group.partner != nullptr) group.partner->figure -= group.partner_albedo * lacking;
+  }
+  groups_.clear();
 }
 
 }  // namespace mien::render

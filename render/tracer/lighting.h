@@ -2,10 +2,10 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "render/tracer/prepared_scene.h"
 #include "render/tracer/samples.h"
-#include "render/tracer/shared_occlusion.h"
 
 namespace mien::render {
 
@@ -14,8 +14,6 @@ namespace mien::render {
 class Lighting {
  public:
   explicit Lighting(const PreparedScene& prepared) : prepared_(prepared) {}
-
-  void begin_tile(const Tile& tile) { shared_.begin_tile(tile); }
 
   /// Adds all light from area lights and sky that surfaces reflect to the camera: those of the
   /// figure, or those of static solids in pixels that render their own background.
@@ -28,7 +26,8 @@ class Lighting {
   /// occludes.
   void subtract_all_shadows(std::span<const ShadingPoint> points) { subtract(points, true); }
 
-  /// Traces the rays that are still queued. Light that is shared within the tile is added then.
+  /// Traces the rays that are still queued, and subtracts the light that the samples of the figure
+  /// are known to lack (SharedOcclusion).
   void finish();
 
  private:
@@ -36,17 +35,22 @@ class Lighting {
   enum class Decision {
     adds_if_visible,        ///< light is added unless something occludes it
     subtracts_if_occluded,  ///< light is subtracted if something occludes it
-    subtracts_if_shadowed,  ///< light is subtracted if the figure alone occludes it
-    // Light counts as occluded for the neighbours, too (SharedOcclusion),
-    shares_if_occluded,  ///< if something occludes it
-    shares_if_shadowed   ///< if the figure alone occludes it
+    subtracts_if_shadowed   ///< light is subtracted if the figure alone occludes it
   };
   struct Query {
     Sample sample;
     Color light = Color::Zero();
     Color Pixel::*sum = nullptr;
     Decision decision = Decision::adds_if_visible;
-    int shared = -1;  // number in the shared occlusion
+  };
+  /// Samples of a pixel that show one part of the figure and whose occlusion of the sky is shared.
+  struct Group {
+    Pixel* pixel;
+    int part;
+    Vec3 normals = Vec3::Zero();           // sum over the samples
+    Color albedo = Color::Zero();          // the same
+    Pixel* partner = nullptr;              // a pixel that samples represent, too
+    Color partner_albedo = Color::Zero();  // sum over its samples
   };
 
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
@@ -55,16 +59,17 @@ class Lighting {
   void add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
                        Color Pixel::*sum);
   void add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals, bool of_figure);
+  void add_to_group(const ShadingPoint& point);
 
   /// Queues a shadow ray; `query.light` is the radiance that it contributes for each of the samples
-  /// that its sample represents (irradiance divided by π if shared).
+  /// that its sample represents.
   void enqueue(const Query& query, const Vec3& origin, const Vec3& direction, float distance);
   void trace();
 
   const PreparedScene& prepared_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
-  SharedOcclusion shared_;
+  std::vector<Group> groups_;  // by pixel
 };
 
 }  // namespace mien::render

@@ -13,6 +13,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/quality.h"
 #include "render/scene/scene.h"
+#include "render/tracer/shared_occlusion.h"
 
 namespace mien::render {
 
@@ -38,6 +39,7 @@ struct PreparedScene {
   std::uint32_t line_lights;  ///< bit i: shadows of light i on the floor are line-sampled
   std::vector<std::vector<int>> casters;  ///< per light: the round cones that are not behind it
   FloorSky floor_sky;                     ///< the figure's occlusion of the sky on the floor
+  SharedOcclusion shared_occlusion;       ///< what pixels share of the figure's occlusion
   std::vector<float> opacities;           ///< opacities of the figures
   const Shapes* next_shapes = nullptr;    ///< shapes in the next picture, for motion vectors
 

@@ -72,7 +72,6 @@ struct ShadingPoint {
   // For Lighting::subtract_shadow and subtract_all_shadows only.
   std::uint32_t lights = ~0u;  ///< bit i: a shadow ray to light i is cast
   SkyRays sky;                 ///< sky rays of its pixel
-  bool shares = false;         ///< lights that the figure occludes are shared (SharedOcclusion)
 };
 
 inline const Sample& sample_of(const Sample& sample) { return sample; }

@@ -4,76 +4,93 @@
 #include <cstddef>
 #include <vector>
 
-#include "render/light/shading.h"
-#include "render/tracer/samples.h"
-#include "render/tracer/tile.h"
+#include "render/math/lanes.h"
+#include "render/math/vector.h"
 
 namespace mien::render {
 
-/// Light that samples of one tile lack, averaged over neighbouring samples of the same surface: the
-/// light of the sky that the figure occludes from its own surfaces, and that of the area lights
-/// that it occludes from the floor.
+/// Light that the figure occludes from its own surfaces and from the floor, found by a few rays in
+/// each pixel before the picture is rendered (occlusion_rays.h). Pixels take it from what was found
+/// for the same surface nearby: with so few rays of its own, each would be a dark dot or none.
 ///
-/// For previews: with the few rays that they have, an occluded ray would leave a dark dash. Samples
-/// count as of one surface if they show the same part and their normals differ by less than 60°;
-/// those with similar normals count most. They are neighbours within one pair of columns, and
-/// within 3 rows on the figure and 2 rows on the floor, in one tile.
+/// What is nearby are pixels whose rows and columns differ by no more than the reach. They count as
+/// of the same surface if they show the same part and their normals differ by less than 60°; those
+/// with similar normals count most.
 class SharedOcclusion {
  public:
-  /// Begins a tile, without samples.
-  void begin_tile(const Tile& tile);
+  /// The part (index into Scene::parts) of the floor.
+  static constexpr int floor_part = -1;
 
-  /// Adds a sample that was shaded as if nothing were occluded; returns its number.
-  int add_figure(const Sample& sample, const Surface& surface);
-  /// As above, for a sample of the floor; pixels have its albedo (Pixel::floor_albedo).
-  int add_floor(const Sample& sample);
+  /// What rays of one sample found.
+  struct Found {
+    int x;  ///< the sample's pixel
+    int y;
+    int part;                        ///< index into Scene::parts, or floor_part
+    Vec3 normal;                     ///< unit
+    Color occluded = Color::Zero();  ///< irradiance divided by π
+  };
 
-  /// Adds to the light that a sample lacks: irradiance divided by π.
-  void occlude(int number, const Color& light) {
-    samples_[static_cast<std::size_t>(number)].occluded += light;
-  }
+  SharedOcclusion() = default;  ///< nothing is shared
 
-  /// Subtracts from the pixels what they reflect of the light that the samples lack.
-  void subtract();
+  /// For a picture of so many rows; samples are shared within `figure_reach` and `floor_reach`
+  /// pixels.
+  SharedOcclusion(int height, int figure_reach, int floor_reach)
+      : figure_reach_(figure_reach),
+        floor_reach_(floor_reach),
+        rows_(static_cast<std::size_t>(height)) {}
+
+  /// Adds what was found in a pixel to the right of, or the same as, all others of its row. Several
+  /// threads may add to different rows.
+  void add(const Found& found);
+
+  /// Ends a row; nothing can be added to it from now on.
+  void finish_row(int y);
+
+  /// Returns the light that is occluded in a pixel from surfaces of a part with about this normal
+  /// (need not be of length 1): irradiance divided by π, black if nothing was found nearby.
+  Color at(int x, int y, int part, const Vec3& normal) const;
 
  private:
-  static constexpr int rows = tile_size;
-  static constexpr int columns = tile_size / 2;  // samples may represent two pixels of a row
-
-  struct SharedSample {
-    Sample sample;
-    Vec3 normal;
-    Color albedo;  // of the figure
+  /// Sums over what was found for one part in a pixel.
+  struct Entry {
+    int x;
     int part;
+    Vec3 normal = Vec3::Zero();
     Color occluded = Color::Zero();
+    float samples = 0.0f;
   };
-  /// Values of the samples by row and column, a list per quantity. Eight samples of weight 0
-  /// follow, so that eight values can be read from any sample on.
-  struct Lists {
-    std::vector<float> normal_x, normal_y, normal_z;
-    std::vector<float> red, green, blue;  // occluded light
-    std::vector<float> weight;            // number of camera rays that each represents
-    std::vector<int> part;
+  /// The entries of a row from left to right and, when it is finished, a list per quantity. After
+  /// the last entry come eight that are of no part, so that eight values can be read from any on.
+  struct Row {
+    enum List { normal_x, normal_y, normal_z, red, green, blue, samples, lists };
+
+    std::vector<Entry> entries;
+    std::vector<float> values;  // of all entries, list after list
+    std::vector<int> parts;
+    std::vector<int> first;  // per column from that of the first entry on: the first entry there
+
+    const float* at(List list, int entry) const {
+      return &values[list * parts.size() + static_cast<std::size_t>(entry)];
+    }
   };
+  /// Entries of a row that are near a place, and what they must show.
+  struct Neighbours {
+    const Row& row;
+    int begin;
+    int end;
+    int part;
+    Vec3 normal;
+  };
+  /// Weighted sums over neighbours.
   struct Sums {
-    LaneFloats red, green, blue, weight;
+    LaneFloats red, green, blue, samples;
   };
 
-  int row_of(const SharedSample& sample) const { return sample.sample.pixel->y - y_begin_; }
-  int column_of(const SharedSample& sample) const {
-    return (sample.sample.pixel->x - x_begin_) / 2;
-  }
-  void make_lists();
-  static void add_near(const Lists& lists, int here, int begin, int end, Sums& sums);
-  Color mean_near(const SharedSample& sample, int place) const;
+  static void add(const Neighbours& near, Sums& sums);
 
-  int x_begin_ = 0;
-  int y_begin_ = 0;
-  std::vector<SharedSample> samples_;
-  std::vector<int> places_;  // of the samples in the lists
-  Lists lists_;
-  // Per row and column of the tile: the place of the first sample there or after.
-  std::array<int, static_cast<std::size_t>(rows* columns) + 1> first_;
+  int figure_reach_ = 0;  // pixels
+  int floor_reach_ = 0;
+  std::vector<Row> rows_;
 };
 
 }  // namespace mien::render

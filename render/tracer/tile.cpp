@@ -105,7 +105,6 @@ void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canv
   if (is_known && planner_.shows_background_only()) return;
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
-  lighting_.begin_tile(tile);
   // Some rows at a time, which is enough for full packets.
   const int rows = std::clamp(16 / samples_, 1, tile_size);
   for (int y = tile.y_begin; y < tile.y_end; y += rows) {
@@ -273,15 +272,7 @@ void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
   ShadingPoint floor{sample, floor_surface(point, pixel.floor_albedo)};
   floor.lights = pixel.shadow_lights & ~by_lines;
   floor.sky = pixel.floor_sky;
-  floor.shares = prepared_.quality.shares_occlusion && floor.sky.rays == 0;
-  if (floor.lights == 0 && sample.index >= floor.sky.rays) return;
-  if (floor.shares && !shadow_points_.empty() && shadow_points_.back().shares &&
-      shadow_points_.back().sample.pixel == sample.pixel &&
-      merge(shadow_points_, sample, [&] { return floor.surface; })) {
-    shadow_points_.back().lights |= floor.lights;
-    return;
-  }
-  shadow_points_.push_back(floor);
+  if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
 }
 
 // Light that is occluded is subtracted later from what rays show where there is no solid. Where all

@@ -16,6 +16,9 @@ void check(const Quality& quality) {
   if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.static_samples < 1 ||
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
+  if (quality.sky_sharing_pixels < 0 || quality.floor_sharing_pixels < 0 ||
+      quality.samples_per_shared_ray < 1)
+    throw std::invalid_argument("quality: pixels that share occlusion, or their rays, are too few");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }
@@ -47,6 +50,7 @@ struct PreparedView::Contents {
     if (view.closing) prepared.closing_solids = &view.closing->solids;
     if (view.closing_camera) prepared.closing_camera = frame_of(*view.closing_camera);
     engine.sample_floor_sky(prepared);
+    engine.find_shared_occlusion(prepared, view.camera);
   }
 };
 

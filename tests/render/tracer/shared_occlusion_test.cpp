@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -14,101 +17,115 @@
 namespace mien::render {
 namespace {
 
-constexpr float lacking = 0.4f;
+constexpr int figure_reach = 3, floor_reach = 2;
 
-/// Pixels in a column of a tile, one sample each.
-class SharedOcclusionOfPixels : public testing::Test {
- protected:
-  SharedOcclusionOfPixels() { shared_.begin_tile({32, 48, 16, 32}); }
+SharedOcclusion sharing_rows(int height) { return {height, figure_reach, floor_reach}; }
 
-  /// Adds a sample; of the light `lacking` it lacks that share.
-  void add(int number, int part, const Vec3& normal, float share) {
-    Pixel& pixel = pixels_[static_cast<std::size_t>(number)];
-    pixel.x = 34;
-    pixel.y = 16 + number;
-    Sample sample;
-    sample.pixel = &pixel;
-    Surface surface;
-    surface.normal = normal;
-    surface.albedo = Color::Constant(0.5f);
-    surface.part = part;
-    const int added = shared_.add_figure(sample, surface);
-    shared_.occlude(added, Color::Constant(share * lacking));
-  }
-
-  /// Adds a sample of the floor, of two pixels' albedo.
-  void add_floor(int number, float share) {
-    for (Pixel* pixel : {&pixels_[static_cast<std::size_t>(number)],
-                         &partners_[static_cast<std::size_t>(number)]}) {
-      pixel->x = pixel == &pixels_[static_cast<std::size_t>(number)] ? 34 : 35;
-      pixel->y = 16 + number;
-    }
-    Sample sample;
-    sample.pixel = &pixels_[static_cast<std::size_t>(number)];
-    sample.pixel->floor_albedo = Color::Constant(0.5f);
-    sample.partner = &partners_[static_cast<std::size_t>(number)];
-    sample.partner->floor_albedo = Color::Constant(0.25f);
-    sample.partner_weight = 1.0f;
-    shared_.occlude(shared_.add_floor(sample), Color::Constant(share * lacking));
-  }
-
-  /// Share of the light that was subtracted from a pixel.
-  float subtracted(int number) {
-    return -pixels_[static_cast<std::size_t>(number)].figure[1] / (0.5f * lacking);
-  }
-
-  SharedOcclusion shared_;
-  std::array<Pixel, 16> pixels_;
-  std::array<Pixel, 16> partners_;
-};
-
-TEST_F(SharedOcclusionOfPixels, IsTheMeanOfNeighbours) {
-  const Vec3 normal = Vec3::UnitZ();
-  for (int k = 0; k < 10; ++k) add(k, 3, normal, k == 2 ? 1.0f : 0.0f);
-  shared_.subtract();
-  // Pixel 0 has neighbours 0 to 3, pixel 2 has 0 to 5, pixel 5 has 2 to 8, and pixel 6 lacks
-  // nothing.
-  EXPECT_FLOAT_EQ(subtracted(0), 1.0f / 4.0f);
-  EXPECT_FLOAT_EQ(subtracted(2), 1.0f / 6.0f);
-  EXPECT_FLOAT_EQ(subtracted(5), 1.0f / 7.0f);
-  EXPECT_EQ(subtracted(6), 0.0f);
+/// A sample that lacks this share of white light.
+SharedOcclusion::Found found(int x, int y, int part, const Vec3& normal, float share) {
+  return {x, y, part, normal, Color::Constant(share)};
 }
 
-TEST_F(SharedOcclusionOfPixels, IsOfOneSurface) {
-  add(0, 3, Vec3::UnitZ(), 1.0f);
-  add(1, 4, Vec3::UnitZ(), 0.0f);
-  add(2, 3, Vec3::UnitX(), 0.25f);
-  shared_.subtract();
-  EXPECT_FLOAT_EQ(subtracted(0), 1.0f);
-  EXPECT_EQ(subtracted(1), 0.0f) << "another part";
-  EXPECT_FLOAT_EQ(subtracted(2), 0.25f) << "another side of the part";
+/// What pixels of a column share: of one sample each, that of row `dark` lacks all light.
+SharedOcclusion column_of(int part, int dark) {
+  SharedOcclusion shared = sharing_rows(10);
+  for (int y = 0; y < 10; ++y) {
+    shared.add(found(4, y, part, Vec3::UnitY(), y == dark ? 1.0f : 0.0f));
+    shared.finish_row(y);
+  }
+  return shared;
 }
 
-// On the floor, within 2 rows; at the rim of the tile less, so that means shift little.
-TEST_F(SharedOcclusionOfPixels, OfTheFloorHasItsOwnReachAndEachPixelsAlbedo) {
-  for (int k : {5, 0, 1, 2, 3, 4, 6, 7}) add_floor(k, k == 2 ? 1.0f : 0.0f);
-  add(8, 0, Vec3::UnitY(), 1.0f);
-  shared_.subtract();
-  const auto floor = [&](int number) {
-    return -pixels_[static_cast<std::size_t>(number)].set[1] / (0.5f * lacking);
+TEST(SharedOcclusion, IsTheMeanWithinItsReach) {
+  const SharedOcclusion figure = column_of(3, 2);
+  const auto at = [&](int y) { return figure.at(4, y, 3, Vec3::UnitY())[1]; };
+  EXPECT_FLOAT_EQ(at(0), 1.0f / 4.0f) << "rows 0 to 3";
+  EXPECT_FLOAT_EQ(at(2), 1.0f / 6.0f) << "rows 0 to 5";
+  EXPECT_FLOAT_EQ(at(5), 1.0f / 7.0f) << "rows 2 to 8";
+  EXPECT_EQ(at(6), 0.0f);
+  EXPECT_FLOAT_EQ(figure.at(7, 2, 3, Vec3::UnitY())[1], 1.0f / 6.0f) << "3 columns away";
+  EXPECT_EQ(figure.at(8, 2, 3, Vec3::UnitY())[1], 0.0f) << "4 columns away";
+  const SharedOcclusion floor = column_of(SharedOcclusion::floor_part, 2);
+  const auto on_floor = [&](int x, int y) {
+    return floor.at(x, y, SharedOcclusion::floor_part, Vec3::UnitY())[1];
   };
-  EXPECT_EQ(floor(0), 0.0f) << "1 row at the rim";
-  EXPECT_FLOAT_EQ(floor(1), 1.0f / 3.0f);
-  EXPECT_FLOAT_EQ(floor(2), 1.0f / 5.0f);
-  EXPECT_FLOAT_EQ(floor(4), 1.0f / 5.0f);
-  EXPECT_EQ(floor(5), 0.0f);
-  EXPECT_FLOAT_EQ(-partners_[4].set[1] / (0.25f * lacking), 1.0f / 5.0f);
-  EXPECT_EQ(subtracted(4), 0.0f) << "nothing of the figure's light";
-  EXPECT_EQ(floor(7), 0.0f) << "a figure's light beside it";
+  EXPECT_FLOAT_EQ(on_floor(4, 4), 1.0f / 5.0f);
+  EXPECT_EQ(on_floor(4, 5), 0.0f);
+  EXPECT_FLOAT_EQ(on_floor(2, 2), 1.0f / 5.0f);
+  EXPECT_EQ(on_floor(1, 2), 0.0f);
 }
 
-TEST_F(SharedOcclusionOfPixels, BeginsAnewInEachTile) {
-  add(0, 3, Vec3::UnitZ(), 1.0f);
-  shared_.begin_tile({32, 48, 16, 32});
-  add(1, 3, Vec3::UnitZ(), 0.0f);
-  shared_.subtract();
-  EXPECT_EQ(subtracted(0), 0.0f);
-  EXPECT_EQ(subtracted(1), 0.0f);
+TEST(SharedOcclusion, IsBlackWhereNothingWasFound) {
+  const SharedOcclusion nothing;
+  EXPECT_TRUE((nothing.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
+  SharedOcclusion shared = sharing_rows(4);
+  for (int y = 0; y < 4; ++y) shared.finish_row(y);
+  EXPECT_TRUE((shared.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
+}
+
+TEST(SharedOcclusion, IsOfOneSurface) {
+  SharedOcclusion shared = sharing_rows(3);
+  shared.add(found(0, 0, 3, Vec3::UnitZ(), 1.0f));
+  shared.add(found(0, 1, 4, Vec3::UnitZ(), 0.0f));
+  shared.add(found(0, 2, 3, Vec3::UnitX(), 0.25f));
+  for (int y = 0; y < 3; ++y) shared.finish_row(y);
+  EXPECT_FLOAT_EQ(shared.at(0, 0, 3, Vec3::UnitZ())[0], 1.0f);
+  EXPECT_EQ(shared.at(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
+  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
+  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, 5.0f * Vec3::UnitX())[0], 0.25f) << "of any length";
+}
+
+// Against the definition, for pixels whose samples show several parts by turns.
+TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
+  constexpr int width = 40, height = 12;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto any_normal = [&] {
+    return Vec3(unit(random) - 0.5f, unit(random) - 0.5f, 1.0f).normalized();
+  };
+  /// All samples of a pixel that show a part.
+  struct Group {
+    Vec3 normal = Vec3::Zero();
+    Color occluded = Color::Zero();
+    float samples = 0.0f;
+  };
+  std::map<std::array<int, 3>, Group> groups;  // by row, column and part
+  SharedOcclusion shared = sharing_rows(height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int samples = static_cast<int>(8.0f * unit(random)) - 3; samples > 0; --samples) {
+        const int part = static_cast<int>(3.0f * unit(random)) - 1;
+        const SharedOcclusion::Found one{
+            x, y, part, any_normal(), {unit(random), unit(random), unit(random)}};
+        shared.add(one);
+        Group& group = groups[{y, x, part}];
+        group.normal += one.normal;
+        group.occluded += one.occluded;
+        group.samples += 1.0f;
+      }
+    }
+    shared.finish_row(y);
+  }
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int part = -1; part < 2; ++part) {
+        const Vec3 normal = any_normal();
+        const int reach = part == SharedOcclusion::floor_part ? floor_reach : figure_reach;
+        Color sum = Color::Zero();
+        float weights = 0.0f;
+        for (const auto& [place, group] : groups) {
+          if (std::abs(place[0] - y) > reach || std::abs(place[1] - x) > reach || place[2] != part)
+            continue;
+          const float above = std::max(2.0f * normal.dot(group.normal.normalized()) - 1.0f, 0.0f);
+          sum += above * above * group.occluded;
+          weights += above * above * group.samples;
+        }
+        const Color expected = weights > 0.0f ? Color(sum / weights) : Color(Color::Zero());
+        EXPECT_LT((shared.at(x, y, part, normal) - expected).abs().maxCoeff(), 1e-5f)
+            << x << ' ' << y << ' ' << part;
+      }
+    }
+  }
 }
 
 /// Two legs side by side, close up, before an empty background: most of the light comes from the
@@ -165,42 +182,69 @@ View ball_of_triangles() {
   return {scene, camera, draft_quality(), {}, {}};
 }
 
+/// A quality that shares occlusion, and what it may be off by.
+struct Sharing {
+  const char* name;
+  Quality quality;
+  double figure_bias;
+  double floor_bias;
+  int pictures;
+};
+
+const std::array<Sharing, 2> sharing = {
+    Sharing{"draft", draft_quality(), figure_sky_bias.draft, floor_shadow_bias.draft, 150},
+    Sharing{"standard", standard_quality(), figure_sky_bias.standard, floor_shadow_bias.standard,
+            40}};
+
+View seen_in(View view, const Quality& quality) {
+  view.quality = quality;
+  return view;
+}
+
+View unshared(View view) {
+  view.quality.sky_sharing_pixels = view.quality.floor_sharing_pixels = 0;
+  return view;
+}
+
 /// Largest difference of a block of 10 x 10 pixels of two kinds of pictures beyond 4 standard
 /// errors, as a share of some light.
-double bias_of(const View& view, const test::BlockMeans& expected, double light) {
-  const test::BlockMeans found = test::mean_of_pictures(view, 0, 150);
+double bias_of(const View& view, int pictures, const test::BlockMeans& expected, double light) {
+  const test::BlockMeans found = test::mean_of_pictures(view, 0, pictures);
   const Eigen::ArrayXd error = (found.error.square() + expected.error.square()).sqrt();
   return ((found.mean - expected.mean).abs() - 4.0 * error).maxCoeff() / light;
 }
 
 TEST(SharedOcclusion, KeepsTheMeansOfBlocks) {
-  const View shared = legs();
-  ASSERT_TRUE(shared.quality.shares_occlusion);
-  View single = shared;
-  single.quality.shares_occlusion = false;
-  const test::BlockMeans expected = test::mean_of_pictures(single, 1000, 150);
-  constexpr double sky_light = 0.5 * 0.4;  // albedo times about the mean radiance
-  EXPECT_LT(bias_of(shared, expected, sky_light), figure_sky_bias.draft);
-  // The test can fail: light of the sky that is dimmer by three times the bound is found.
-  View dim = shared;
-  const auto share = static_cast<float>(1.0 - 3.0 * figure_sky_bias.draft);
-  for (Color* sky : {&dim.scene.sky.zenith, &dim.scene.sky.horizon, &dim.scene.sky.below})
-    *sky *= share;
-  EXPECT_GT(bias_of(dim, expected, sky_light), figure_sky_bias.draft);
+  for (const Sharing& how : sharing) {
+    SCOPED_TRACE(how.name);
+    const View shared = seen_in(legs(), how.quality);
+    ASSERT_GT(shared.quality.sky_sharing_pixels, 0);
+    const test::BlockMeans expected = test::mean_of_pictures(unshared(shared), 1000, how.pictures);
+    constexpr double sky_light = 0.5 * 0.4;  // albedo times about the mean radiance
+    EXPECT_LT(bias_of(shared, how.pictures, expected, sky_light), how.figure_bias);
+    // The test can fail: light of the sky that is dimmer by three times the bound is found.
+    View dim = shared;
+    const auto share = static_cast<float>(1.0 - 3.0 * how.figure_bias);
+    for (Color* sky : {&dim.scene.sky.zenith, &dim.scene.sky.horizon, &dim.scene.sky.below})
+      *sky *= share;
+    EXPECT_GT(bias_of(dim, how.pictures, expected, sky_light), how.figure_bias);
+  }
 }
 
 TEST(SharedOcclusion, KeepsTheMeansOfTheFloorsShadows) {
-  const View shared = ball_of_triangles();
-  View single = shared;
-  single.quality.shares_occlusion = false;
-  const test::BlockMeans expected = test::mean_of_pictures(single, 1000, 150);
-  const double lit = expected.mean.maxCoeff();
-  EXPECT_LT(bias_of(shared, expected, lit), floor_shadow_bias.draft);
-  // The test can fail: the shadow of a ball that is smaller by a tenth is found.
-  View small = shared;
-  for (Vec3& position : small.scene.solids.meshes[0].positions)
-    position = Vec3{0.0f, 0.12f, 0.0f} + 0.9f * (position - Vec3{0.0f, 0.12f, 0.0f});
-  EXPECT_GT(bias_of(small, expected, lit), floor_shadow_bias.draft);
+  for (const Sharing& how : sharing) {
+    SCOPED_TRACE(how.name);
+    const View shared = seen_in(ball_of_triangles(), how.quality);
+    ASSERT_GT(shared.quality.floor_sharing_pixels, 0);
+    const test::BlockMeans expected = test::mean_of_pictures(unshared(shared), 1000, how.pictures);
+    const double lit = expected.mean.maxCoeff();
+    EXPECT_LT(bias_of(shared, how.pictures, expected, lit), how.floor_bias);
+    // The test can fail: the shadow of a ball that is smaller by a tenth is found.
+    View small = shared;
+    for (Vec3& position : small.scene.solids.meshes[0].positions)
+      position = Vec3{0.0f, 0.12f, 0.0f} + 0.9f * (position - Vec3{0.0f, 0.12f, 0.0f});
+    EXPECT_GT(bias_of(small, how.pictures, expected, lit), how.floor_bias);
+  }
 }
 
 /// Mean variance, over pictures of different noise, of the pixels that show nothing but the figure.
@@ -228,9 +272,7 @@ double variance_within(View view) {
 }
 
 TEST(SharedOcclusion, TakesMostOfTheNoise) {
-  View single = legs();
-  single.quality.shares_occlusion = false;
-  EXPECT_LT(variance_within(legs()), 0.2 * variance_within(single));
+  EXPECT_LT(variance_within(legs()), 0.2 * variance_within(unshared(legs())));
 }
 
 }  // namespace

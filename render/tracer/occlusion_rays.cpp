@@ -1,0 +1,213 @@
+#include "render/tracer/occlusion_rays.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "render/light/floor.h"
+#include "render/light/light.h"
+#include "render/math/constants.h"
+#include "render/tracer/camera_rays.h"
+#include "render/tracer/floor_lines.h"
+#include "render/tracer/pixel_plan.h"
+#include "render/tracer/samples.h"
+
+namespace mien::render {
+namespace {
+
+/// The part of a sample that shows neither the figure nor a floor that it may shadow.
+constexpr int nothing = -2;
+
+/// Casts the rays of eight samples at a time.
+class OcclusionFinder {
+ public:
+  OcclusionFinder(const PreparedScene& prepared, SharedOcclusion& shared)
+      : prepared_(prepared),
+        shared_(shared),
+        everywhere_(prepared.is_per_sample() || prepared.quality.exhaustive),
+        planner_(prepared),
+        lines_(prepared) {
+    if (prepared.quality.floor_sharing_pixels == 0) return;
+    for (std::size_t k = 0; k < prepared.scene.lights.size(); ++k) floor_lights_ |= 1u << k;
+    floor_lights_ &= ~prepared.line_lights;
+  }
+
+  void find(const Tile& tile);
+
+ private:
+  /// A sample, the start of its rays, and what they find.
+  struct Point {
+    Pixel pixel;
+    Sample sample;
+    Vec3 origin = Vec3::Zero();
+    SharedOcclusion::Found found;
+  };
+
+  void add_pixel(int x, int y, std::uint32_t lights);
+  void cast();
+  void place();
+  void find_sky();
+  void find_light(int light);
+  LanePoints random_points(Dimension dimension, int which = 0) const;
+  void enqueue(Point& point, const Vec3& direction, float distance, const Color& light);
+  void add(std::uint32_t occluded);
+
+  const PreparedScene& prepared_;
+  SharedOcclusion& shared_;
+  const bool everywhere_;           // any pixel may show the figure
+  std::uint32_t floor_lights_ = 0;  // whose shadows on the floor are shared
+  PixelPlanner planner_;
+  FloorLines lines_;
+  std::array<Point, lanes> points_;
+  std::size_t count_ = 0;
+  RayPacket rays_;
+  std::array<Point*, packet_size> ray_points_;
+  std::array<Color, packet_size> ray_light_;  // irradiance divided by π
+};
+
+void OcclusionFinder::find(const Tile& tile) {
+  static constexpr std::array<PixelPlan, tile_size> no_plans{};
+  if (floor_lights_ != 0) planner_.begin_tile(tile, lines_);
+  for (int y = tile.y_begin; y < tile.y_end; ++y) {
+    const bool may_show_figure =
+        everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y);
+    if (!may_show_figure && floor_lights_ == 0) continue;
+    const auto& plans = floor_lights_ != 0 ? planner_.plan_row(y) : no_plans;
+    for (int x = tile.x_begin; x < tile.x_end; ++x) {
+      const std::uint32_t lights =
+          plans[static_cast<std::size_t>(x - tile.x_begin)].shadow_lights & floor_lights_;
+      if (lights != 0 || everywhere_ || prepared_.pixel_mask.may_intersect(x, y))
+        add_pixel(x, y, lights);
+    }
+  }
+  cast();
+}
+
+void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
+  const int all = prepared_.quality.samples_per_pixel;
+  const int every = prepared_.quality.samples_per_shared_ray;
+  // Pixels with fewer samples take turns, like the fields of a chessboard.
+  const int before = (x + y) * all % every;
+  for (int i = (every - before) % every; i < all; i += every) {
+    Point& point = points_[count_];
+    point.pixel.x = x;
+    point.pixel.y = y;
+    point.pixel.sampler = prepared_.sampler.for_pixel(x, y);
+    point.pixel.shadow_lights = lights;
+    point.sample = sample_at(prepared_, point.pixel, i);
+    point.found = {x, y, nothing, Vec3::UnitY()};
+    if (++count_ == lanes) cast();
+  }
+}
+
+void OcclusionFinder::cast() {
+  place();
+  if (prepared_.quality.sky_sharing_pixels > 0) find_sky();
+  for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);
+  for (std::size_t i = 0; i < count_; ++i)
+    if (points_[i].found.part != nothing) shared_.add(points_[i].found);
+  count_ = 0;
+}
+
+// Finds the surfaces that the samples show.
+void OcclusionFinder::place() {
+  std::array<Sample, lanes> samples;
+  for (std::size_t i = 0; i < count_; ++i) samples[i] = points_[i].sample;
+  const RayPacket rays = camera_rays(prepared_, {samples.data(), count_});
+  const auto hits = first_hits(prepared_, rays);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const int ray = static_cast<int>(i);
+    Point& point = points_[i];
+    if (hits[i].exists() && hits[i].of_figure) {
+      const Surface surface = surface_at(prepared_, rays, ray, hits[i]);
+      point.origin = surface.origin;
+      point.found.part = surface.part;
+      point.found.normal = surface.normal;
+    } else if (!hits[i].exists() && point.pixel.shadow_lights != 0) {
+      const std::optional<Vec3> floor = floor_point(rays, ray);
+      if (!floor) continue;
+      point.origin = *floor;
+      point.found.part = SharedOcclusion::floor_part;
+    }
+  }
+}
+
+void OcclusionFinder::find_sky() {
+  const auto shows_figure = [](const Point& point) { return point.found.part >= 0; };
+  if (std::none_of(points_.begin(), points_.begin() + count_, shows_figure)) return;
+  LaneVectors normals;
+  for (std::size_t i = 0; i < count_; ++i)
+    normals.set(static_cast<int>(i), points_[i].found.normal);
+  const LaneVectors towards = cosine_directions(normals, random_points(Dimension::FigureSky));
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!shows_figure(points_[i])) continue;
+    const Vec3 direction = towards.at(static_cast<int>(i));
+    enqueue(points_[i], direction, distance_to_end(prepared_.scene, points_[i].origin, direction),
+            sky_radiance(prepared_.scene.sky, direction));
+  }
+  std::uint32_t occluded = prepared_.figure.occluded(rays_);
+  if (prepared_.static_solids != nullptr) occluded |= prepared_.static_solids->occluded(rays_);
+  add(occluded);
+}
+
+// Finds light that the figure occludes from the floor, and nothing else does.
+void OcclusionFinder::find_light(int number) {
+  const auto is_shadowed = [number](const Point& point) {
+    return point.found.part == SharedOcclusion::floor_part &&
+           ((point.pixel.shadow_lights >> number) & 1u) != 0;
+  };
+  if (std::none_of(points_.begin(), points_.begin() + count_, is_shadowed)) return;
+  const AreaLight& light = prepared_.scene.lights[static_cast<std::size_t>(number)];
+  LaneVectors origins;
+  for (std::size_t i = 0; i < count_; ++i) origins.set(static_cast<int>(i), points_[i].origin);
+  const LaneLights chosen = sample(light, origins, random_points(Dimension::FirstLight, number));
+  for (std::size_t i = 0; i < count_; ++i) {
+    const int lane = static_cast<int>(i);
+    const Vec3 towards = chosen.towards.at(lane);
+    const float irradiance = towards.y() * chosen.share[lane];
+    if (is_shadowed(points_[i]) && irradiance > 0.0f &&
+        may_intersect(prepared_.bounds, points_[i].origin, towards))
+      enqueue(points_[i], towards, chosen.distance[lane], irradiance / pi * light.radiance);
+  }
+  std::uint32_t occluded = prepared_.figure.occluded(rays_);
+  if (prepared_.static_solids != nullptr) occluded &= ~prepared_.static_solids->occluded(rays_);
+  add(occluded);
+}
+
+LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const {
+  const int every = prepared_.quality.samples_per_shared_ray;
+  LaneWords index, seed;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Sample& sample = points_[i].sample;
+    index.lane[i] = sample.pixel->sampler.index_of_group(sample.index / every, every);
+    seed.lane[i] = sample.pixel->sampler.seed(dimension, which);
+  }
+  return sample_points(index, seed);
+}
+
+void OcclusionFinder::enqueue(Point& point, const Vec3& direction, float distance,
+                              const Color& light) {
+  ray_points_[static_cast<std::size_t>(rays_.count)] = &point;
+  ray_light_[static_cast<std::size_t>(rays_.count)] = light;
+  rays_.push(point.origin, direction, distance, point.sample.time, point.sample.present);
+}
+
+// Adds the light of the rays that are occluded (bit i: ray i), and removes all rays.
+void OcclusionFinder::add(std::uint32_t occluded) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
+    if (((occluded >> i) & 1u) != 0) ray_points_[i]->found.occluded += ray_light_[i];
+  rays_.count = 0;
+}
+
+}  // namespace
+
+void find_shared_occlusion(const PreparedScene& prepared, const Tile& band,
+                           SharedOcclusion& shared) {
+  OcclusionFinder finder(prepared, shared);
+  for (int x = band.x_begin; x < band.x_end; x += tile_size)
+    finder.find({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end});
+  for (int y = band.y_begin; y < band.y_end; ++y) shared.finish_row(y);
+}
+
+}  // namespace mien::render
