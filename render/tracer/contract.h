@@ -60,7 +60,8 @@ inline constexpr std::array contract{
     ContractRow{"light of the sky on solids", Accuracy::biased, figure_sky_bias,
                 "closed form, less what shadow rays find occluded, in drafts and standard quality "
                 "the mean over neighbouring samples of one surface",
-                "Contract.HoldsPerBlock (unshared), SharedOcclusion.KeepsTheMeansOfBlocks"},
+                "Contract.HoldsPerBlock (unshared), Contract.HoldsWhereOcclusionIsShared, "
+                "SharedOcclusion.KeepsTheMeansOfBlocks"},
     ContractRow{"floor and backdrop without shadows", Accuracy::biased, floor_light_bias,
                 "closed form at the centre of the pixel, every eighth pixel where a cubic suffices",
                 "Contract.HoldsPerBlock"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/light/light.h"
+#include "render/math/constants.h"
 #include "render/tracer/camera_rays.h"
 
 namespace mien::render {

@@ -102,6 +102,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
 }
 
 void OcclusionFinder::cast() {
+  if (count_ == 0) return;
   place();
   if (prepared_.quality.sky_sharing_pixels > 0) find_sky();
   for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);

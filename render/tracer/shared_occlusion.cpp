@@ -7,8 +7,6 @@
 namespace mien::render {
 namespace {
 
-constexpr int no_part = -2;
-
 /// In an order that is the same on every machine.
 float sum_of(const LaneFloats& values) {
   const float* v = values.lane;
@@ -39,7 +37,7 @@ void SharedOcclusion::finish_row(int y) {
   if (row.entries.empty()) return;
   const std::size_t size = row.entries.size() + lanes;
   row.values.resize(Row::lists * size);
-  row.parts.resize(size, no_part);
+  row.parts.resize(size);
   for (std::size_t i = 0; i < row.entries.size(); ++i) {
     const Entry& entry = row.entries[i];
     const Vec3 normal = entry.normal.normalized();

@@ -59,8 +59,8 @@ class SharedOcclusion {
     Color occluded = Color::Zero();
     float samples = 0.0f;
   };
-  /// The entries of a row from left to right and, when it is finished, a list per quantity. After
-  /// the last entry come eight that are of no part, so that eight values can be read from any on.
+  /// The entries of a row from left to right and, when it is finished, a list per quantity. Eight
+  /// more values follow each list, so that eight can be read from any entry on.
   struct Row {
     enum List { normal_x, normal_y, normal_z, red, green, blue, samples, lists };
 

@@ -252,28 +252,33 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
   Scene scene = shining_ball(0.6f);
   scene.has_ground = true;
   scene.solids.spheres[0].centre.y() = 0.5f;
+  scene.solids.spheres.push_back({{0.2f, 0.5f, 0.55f}, 0.2f});
   scene.materials[0].albedo = {0.4f, 0.5f, 0.6f};
   scene.sky = test::even_sky(Color::Constant(0.5f));
   scene.lights = {softbox({2.0f, 4.0f, 3.0f}, Vec3::Zero(), 1.0f, 1.0f, Color::Constant(12.0f))};
   Camera camera = straight_on();
   camera.position.y() = 1.0f;
   Camera cropped = camera;
-  cropped.window = Window{37, 21, 30, 29};
-  for (const Background background :
-       {Background::shown, Background::transparent, Background::shadow}) {
-    const Quality quality{.samples_per_pixel = 4, .background = background};
-    const RenderTarget whole = Tracer().render_view({scene, camera, quality});
-    const RenderTarget part = Tracer().render_view({scene, cropped, quality});
-    EXPECT_EQ(part.color, crop(whole.color, *cropped.window));
-    if (background != Background::shown) {
-      EXPECT_EQ(part.alpha, crop(whole.alpha, camera.width, *cropped.window));
+  // The last window begins and ends with a tile, where pixels share with those beside it.
+  for (const Window& window : {Window{37, 21, 30, 29}, Window{48, 16, 16, 16}}) {
+    cropped.window = window;
+    for (const Background background :
+         {Background::shown, Background::transparent, Background::shadow}) {
+      const Quality quality{.samples_per_pixel = 4, .background = background};
+      const RenderTarget whole = Tracer().render_view({scene, camera, quality});
+      const RenderTarget part = Tracer().render_view({scene, cropped, quality});
+      EXPECT_EQ(part.color, crop(whole.color, window));
+      if (background != Background::shown) {
+        EXPECT_EQ(part.alpha, crop(whole.alpha, camera.width, window));
+      }
+    }
+    for (const int samples : {1, 2}) {
+      const Quality few{.samples_per_pixel = samples};
+      EXPECT_EQ(Tracer().trace(scene, cropped, few),
+                crop(Tracer().trace(scene, camera, few), window));
     }
   }
-  for (const int samples : {1, 2}) {
-    const Quality few{.samples_per_pixel = samples};
-    EXPECT_EQ(Tracer().trace(scene, cropped, few),
-              crop(Tracer().trace(scene, camera, few), *cropped.window));
-  }
+  cropped.window = Window{37, 21, 30, 29};
   const Quality quality{.samples_per_pixel = 4};
   const Layers whole = crop(Tracer().layers(scene, camera, quality), *cropped.window);
   const Layers part = Tracer().layers(scene, cropped, quality);
