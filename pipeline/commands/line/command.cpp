@@ -18,8 +18,8 @@ std::vector<std::string> split_names(const std::string& names) {
   std::vector<std::string> result;
   std::istringstream stream(names);
   for (std::string name; std::getline(stream, name, ',');) result.push_back(name);
-  std::ranges::stable_partition(result,
-                                [](const std::string& name) { return !name.starts_with("--"); });
+  std::stable_partition(result.begin(), result.end(),
+                        [](const std::string& name) { return !name.starts_with("--"); });
   return result;
 }
 

@@ -26,7 +26,7 @@ std::vector<int> whole_numbers(const std::vector<double>& given, const std::stri
     numbers.push_back(static_cast<int>(number));
   }
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
 }
 
@@ -36,7 +36,7 @@ std::vector<int> usual_participants(int planned) {
   for (const double share : {0.5, 0.75, 1.0, 1.5, 2.0})
     numbers.push_back(std::max(4, static_cast<int>(std::lround(share * planned))));
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
 }
 

@@ -16,7 +16,7 @@ std::vector<Fault> check_design(const Manifest& manifest) {
     std::vector<std::string> known;
     for (const StimulusProperty& property : stimulus_properties) known.emplace_back(property.id);
     std::ranges::copy_if(factors, std::back_inserter(known),
-                         [&](const std::string& other) { return other != factor; });
+                         [&name = factor](const std::string& other) { return other != name; });
     for (std::size_t i = 0; i < names.size(); ++i)
       list.check_known_name(element_path(path, i), names[i], "property", known);
   }

@@ -177,7 +177,8 @@ class FactorialCheck {
     for (const auto& [factor, level] : contrast.at) {
       const std::string place = member_path(member_path(path, "at"), factor);
       const bool is_weighted = std::ranges::any_of(
-          contrast.weights, [&](const auto& weighted) { return weighted.first == factor; });
+          contrast.weights,
+          [&name = factor](const auto& weighted) { return weighted.first == name; });
       if (is_weighted) {
         list_.add_at_key(place, "is one of the factors that are compared", "omit it here");
         is_known = false;

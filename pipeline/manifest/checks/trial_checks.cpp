@@ -168,7 +168,8 @@ class TrialFormCheck {
       if (!is_of_any([&](const Stimulus& one) { return one.id == id; })) return false;
     for (const auto& [factor, levels] : asked_.signal.levels)
       for (const std::string& level : levels)
-        if (!is_of_any([&](const Stimulus& one) { return level_of(one, factor) == level; }))
+        if (!is_of_any(
+                [&, &name = factor](const Stimulus& one) { return level_of(one, name) == level; }))
           return false;
     return true;
   }

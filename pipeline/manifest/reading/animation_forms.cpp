@@ -65,8 +65,8 @@ void FreezingForm::read(const DocumentValue& given, motion::Freezing& freezing) 
   const nlohmann::json* parts = is_map ? member(given.value, "parts") : &given.value;
   if (parts != nullptr) read_parts(*parts, freezing.parts);
   std::ranges::sort(freezing.parts);
-  const auto repeated = std::ranges::unique(freezing.parts);
-  freezing.parts.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::unique(freezing.parts.begin(), freezing.parts.end());
+  freezing.parts.erase(repeated, freezing.parts.end());
   if (const nlohmann::json* at = is_map ? member(given.value, "at") : nullptr)
     MomentForm::read({*at, member_path(given.path, "at"), given.context}, freezing.at.emplace());
 }

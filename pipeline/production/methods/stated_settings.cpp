@@ -238,8 +238,8 @@ std::string StatedSettings::text(const Names& everybody) const {
   Names parts;
   for (const auto& [who, words] : groups) {
     std::string part = listed(words);
-    const auto has_it = [&](const std::string& one) {
-      return std::ranges::find(who, one) != who.end();
+    const auto has_it = [&said_of = who](const std::string& one) {
+      return std::ranges::find(said_of, one) != said_of.end();
     };
     if (!std::ranges::all_of(everybody, has_it)) {
       part += who.size() <= most_named ? " (" + listed(who) + ")"

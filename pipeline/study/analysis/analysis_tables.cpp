@@ -1,6 +1,6 @@
 #include <cstddef>
+#include <numeric>
 #include <optional>
-#include <ranges>
 
 #include "pipeline/study/analysis/analysis_report.h"
 
@@ -183,7 +183,11 @@ constexpr auto warnings_columns = table_of<StudyWarning>(
       [](auto& r) { return counted(r.place.column); }},
      {"message", "", "a sentence", [](auto& r) { return r.text; }}});
 
-auto rows_below(std::size_t count) { return std::views::iota(std::size_t{0}, count); }
+std::vector<std::size_t> rows_below(std::size_t count) {
+  std::vector<std::size_t> rows(count);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -171,8 +171,9 @@ Dendrogram dendrogram_of(const FeatureClusters& clusters) {
 }
 
 WrittenTable feature_linkage_table(const FeatureClusters& clusters) {
-  return linkage_of_features.of_parts(
-      clusters, std::views::iota(std::size_t{0}, clusters.linkage.merges.size()));
+  std::vector<std::size_t> steps(clusters.linkage.merges.size());
+  std::iota(steps.begin(), steps.end(), std::size_t{0});
+  return linkage_of_features.of_parts(clusters, steps);
 }
 
 WrittenTable feature_clusters_table(const FeatureClusters& clusters) {

@@ -1,9 +1,10 @@
 #include "pipeline/study/matching/matching_report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -233,7 +234,8 @@ void write_evaluation(const MatchingEvaluation& evaluation, const MatchingResult
   const auto is_time = [](const MatchingComparison& c) {
     return c.measure == MatchingMeasure::time_s;
   };
-  auto times = evaluation.comparisons | std::views::filter(is_time);
+  std::vector<MatchingComparison> times;
+  std::ranges::copy_if(evaluation.comparisons, std::back_inserter(times), is_time);
   write_tables(folder, {means_columns.of_parts(simulated, evaluation.means),
                         shares_columns.of_parts(simulated, evaluation.shares),
                         time_saved_columns.of_parts(simulated, times),

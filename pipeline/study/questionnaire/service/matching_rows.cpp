@@ -1,6 +1,7 @@
 #include "pipeline/study/questionnaire/service/matching_rows.h"
 
-#include <ranges>
+#include <algorithm>
+#include <iterator>
 
 namespace mien::pipeline {
 
@@ -64,7 +65,9 @@ const TableForm matching_changes_form = changes_columns.form();
 
 std::string matching_trials_csv(const std::vector<MatchedTrial>& trials) {
   const auto counts = [](const MatchedTrial& one) { return !one.trial.practice; };
-  return trials_columns.of(trials | std::views::filter(counts)).csv;
+  std::vector<MatchedTrial> counted;
+  std::ranges::copy_if(trials, std::back_inserter(counted), counts);
+  return trials_columns.of(counted).csv;
 }
 
 std::string matching_changes_csv(const std::vector<MatchedTrial>& trials) {
