@@ -9,7 +9,6 @@ Quality draft_quality() {
   quality.samples_shaded_together = 2;
   quality.shades_pixel_pairs = true;
   quality.sky_sharing_pixels = 3;
-  quality.samples_per_shared_ray = 4;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;

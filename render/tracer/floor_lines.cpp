@@ -61,12 +61,13 @@ void FloorLines::add(int x, int y, std::uint32_t lights, int first, int count) {
   if (is_empty_) {
     samples_.fill(0);
     lights_.fill(0);
-    is_empty_ = false;
+    is_empty_ = any_shared_ = false;
   }
   const std::size_t pixel = number(x, y);
   if (samples_[pixel] == 0) {
     occluded_[pixel] = Color::Zero();
     is_shared_[pixel] = (lights & ~prepared_.line_lights) != 0;
+    any_shared_ |= is_shared_[pixel];
   }
   samples_[pixel] += count;
   lights &= prepared_.line_lights;
@@ -106,7 +107,7 @@ void FloorLines::enqueue(const Query& query) {
 void FloorLines::resolve() {
   if (is_of_block() && !is_empty_) add_blocks();
   if (count_ > 0) resolve_batch();
-  if (is_empty_) return;
+  if (is_empty_ || !any_shared_) return;
   for (int y = tile_.y_begin; y < tile_.y_end; ++y) {
     for (int x = tile_.x_begin; x < tile_.x_end; ++x) {
       const std::size_t pixel = number(x, y);

@@ -87,7 +87,8 @@ class FloorLines {
   int group_size_ = 1;                     // samples that share a line
   int block_width_ = 1;                    // pixels whose samples share a line
   int block_height_ = 1;
-  bool is_empty_ = true;  // no samples were added; the lists of pixels are then invalid
+  bool any_shared_ = false;  // some pixel is in is_shared_
+  bool is_empty_ = true;     // no samples were added; the lists of pixels are then invalid
   std::array<int, pixels> samples_{};           // number of samples that were added
   std::array<std::uint32_t, pixels> lights_{};  // lights of a block, at its first pixel
   std::array<bool, pixels> is_shared_{};        // some shadows are those found nearby

@@ -33,7 +33,8 @@ class OcclusionFinder {
     floor_lights_ &= ~prepared.line_lights;
   }
 
-  void find(const Tile& tile);
+  /// Finds what there is in a row of tiles, and hands it over.
+  void find_in(const Tile& band);
 
  private:
   /// A sample, the start of its rays, and what they find.
@@ -44,6 +45,10 @@ class OcclusionFinder {
     SharedOcclusion::Found found;
   };
 
+  bool may_show_figure(const Tile& tile, int y) const {
+    return everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y);
+  }
+  void find(const Tile& tile);
   void add_pixel(int x, int y, std::uint32_t lights);
   void cast();
   void place();
@@ -64,19 +69,29 @@ class OcclusionFinder {
   RayPacket rays_;
   std::array<Point*, packet_size> ray_points_;
   std::array<Color, packet_size> ray_light_;  // irradiance divided by π
+  std::array<std::vector<SharedOcclusion::Found>, tile_size> rows_;
 };
 
+void OcclusionFinder::find_in(const Tile& band) {
+  // Plans are made for single tiles.
+  const int width = floor_lights_ != 0 ? tile_size : 4 * tile_size;
+  bool any = floor_lights_ != 0;
+  for (int y = band.y_begin; y < band.y_end && !any; ++y) any = may_show_figure(band, y);
+  if (!any) return;
+  for (int x = band.x_begin; x < band.x_end; x += width)
+    find({x, std::min(x + width, band.x_end), band.y_begin, band.y_end});
+  for (int y = band.y_begin; y < band.y_end; ++y)
+    shared_.set_row(y, rows_[static_cast<std::size_t>(y % tile_size)]);
+}
+
 void OcclusionFinder::find(const Tile& tile) {
-  static constexpr std::array<PixelPlan, tile_size> no_plans{};
   if (floor_lights_ != 0) planner_.begin_tile(tile, lines_);
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    const bool may_show_figure =
-        everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y);
-    if (!may_show_figure && floor_lights_ == 0) continue;
-    const auto& plans = floor_lights_ != 0 ? planner_.plan_row(y) : no_plans;
+    if (floor_lights_ == 0 && !may_show_figure(tile, y)) continue;
+    const PixelPlan* plans = floor_lights_ != 0 ? planner_.plan_row(y).data() : nullptr;
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
       const std::uint32_t lights =
-          plans[static_cast<std::size_t>(x - tile.x_begin)].shadow_lights & floor_lights_;
+          plans != nullptr ? plans[x - tile.x_begin].shadow_lights & floor_lights_ : 0;
       if (lights != 0 || everywhere_ || prepared_.pixel_mask.may_intersect(x, y))
         add_pixel(x, y, lights);
     }
@@ -96,7 +111,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
     point.pixel.sampler = prepared_.sampler.for_pixel(x, y);
     point.pixel.shadow_lights = lights;
     point.sample = sample_at(prepared_, point.pixel, i);
-    point.found = {x, y, nothing, Vec3::UnitY()};
+    point.found = {x, nothing, Vec3::UnitY()};
     if (++count_ == lanes) cast();
   }
 }
@@ -107,7 +122,8 @@ void OcclusionFinder::cast() {
   if (prepared_.quality.sky_sharing_pixels > 0) find_sky();
   for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);
   for (std::size_t i = 0; i < count_; ++i)
-    if (points_[i].found.part != nothing) shared_.add(points_[i].found);
+    if (points_[i].found.part != nothing)
+      rows_[static_cast<std::size_t>(points_[i].pixel.y % tile_size)].push_back(points_[i].found);
   count_ = 0;
 }
 
@@ -205,10 +221,7 @@ void OcclusionFinder::add(std::uint32_t occluded) {
 
 void find_shared_occlusion(const PreparedScene& prepared, const Tile& band,
                            SharedOcclusion& shared) {
-  OcclusionFinder finder(prepared, shared);
-  for (int x = band.x_begin; x < band.x_end; x += tile_size)
-    finder.find({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end});
-  for (int y = band.y_begin; y < band.y_end; ++y) shared.finish_row(y);
+  OcclusionFinder(prepared, shared).find_in(band);
 }
 
 }  // namespace mien::render

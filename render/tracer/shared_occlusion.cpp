@@ -15,50 +15,49 @@ float sum_of(const LaneFloats& values) {
 
 }  // namespace
 
-void SharedOcclusion::add(const Found& found) {
-  std::vector<Entry>& entries = rows_[static_cast<std::size_t>(found.y)].entries;
-  auto entry = entries.end();
-  while (entry != entries.begin() && std::prev(entry)->x == found.x &&
-         std::prev(entry)->part != found.part)
-    --entry;
-  if (entry == entries.begin() || std::prev(entry)->x != found.x) {
-    if (entries.empty()) entries.reserve(64);
-    entries.push_back({found.x, found.part});
-    entry = entries.end();
-  }
-  --entry;
-  entry->normal += found.normal;
-  entry->occluded += found.occluded;
-  entry->samples += 1.0f;
-}
-
-void SharedOcclusion::finish_row(int y) {
+void SharedOcclusion::set_row(int y, std::span<const Found> found) {
   Row& row = rows_[static_cast<std::size_t>(y)];
-  if (row.entries.empty()) return;
-  const std::size_t size = row.entries.size() + lanes;
+  if (found.empty()) return;
+  const std::size_t size = found.size() + lanes;  // at most
   row.values.resize(Row::lists * size);
   row.parts.resize(size);
-  for (std::size_t i = 0; i < row.entries.size(); ++i) {
-    const Entry& entry = row.entries[i];
-    const Vec3 normal = entry.normal.normalized();
-    const float values[Row::lists] = {normal.x(),        normal.y(),        normal.z(),
-                                      entry.occluded[0], entry.occluded[1], entry.occluded[2],
-                                      entry.samples};
+  row.begin = found.front().x;
+  row.first.resize(static_cast<std::size_t>(found.back().x - row.begin) + 2);
+  std::size_t count = 0, first = 0;  // of the pixel
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Found& one = found[i];
+    if (i == 0 || one.x != found[i - 1].x) {
+      const int before = i == 0 ? one.x : found[i - 1].x + 1;
+      for (int x = before; x <= one.x; ++x)
+        row.first[static_cast<std::size_t>(x - row.begin)] = static_cast<int>(count);
+      first = count;
+    }
+    std::size_t entry = first;
+    while (entry < count && row.parts[entry] != one.part) ++entry;
+    if (entry == count) row.parts[count++] = one.part;
+    const float values[Row::lists] = {one.normal.x(),
+                                      one.normal.y(),
+                                      one.normal.z(),
+                                      one.occluded[0],
+                                      one.occluded[1],
+                                      one.occluded[2],
+                                      1.0f};
     for (std::size_t list = 0; list < Row::lists; ++list)
-      row.values[list * size + i] = values[list];
-    row.parts[i] = entry.part;
+      row.values[list * size + entry] += values[list];
   }
-  const int begin = row.entries.front().x;
-  row.first.resize(static_cast<std::size_t>(row.entries.back().x - begin + 2));
-  for (std::size_t column = 0, i = 0; column < row.first.size(); ++column) {
-    while (i < row.entries.size() && row.entries[i].x - begin < static_cast<int>(column)) ++i;
-    row.first[column] = static_cast<int>(i);
+  row.first.back() = static_cast<int>(count);
+  float *x = row.values.data(), *y_values = x + size, *z = y_values + size;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 normal = Vec3(x[i], y_values[i], z[i]).normalized();
+    x[i] = normal.x();
+    y_values[i] = normal.y();
+    z[i] = normal.z();
   }
 }
 
 // Weights are 1 for equal normals, and 0 from 60° on. Sums have eight parts, so that they are the
 // same on every machine.
-MIEN_FOR_AVX2_TOO void SharedOcclusion::add(const Neighbours& near, Sums& sums) {
+[[gnu::always_inline]] inline void SharedOcclusion::add(const Neighbours& near, Sums& sums) {
   const float x = near.normal.x(), y = near.normal.y(), z = near.normal.z();
   const int part = near.part;
   for (int begin = near.begin; begin < near.end; begin += static_cast<int>(lanes)) {
@@ -82,16 +81,16 @@ MIEN_FOR_AVX2_TOO void SharedOcclusion::add(const Neighbours& near, Sums& sums) 
   }
 }
 
-Color SharedOcclusion::at(int x, int y, int part, const Vec3& normal) const {
+MIEN_FOR_AVX2_TOO Color SharedOcclusion::at(int x, int y, int part, const Vec3& normal) const {
   const int reach = part == floor_part ? floor_reach_ : figure_reach_;
   const int last_row = std::min(y + reach, static_cast<int>(rows_.size()) - 1);
   const Vec3 unit = normal.normalized();
   Sums sums;
   for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
     const Row& row = rows_[static_cast<std::size_t>(number)];
-    if (row.entries.empty()) continue;
+    if (row.first.empty()) continue;
     const int last = static_cast<int>(row.first.size()) - 1;
-    const int column = x - row.entries.front().x;
+    const int column = x - row.begin;
     const auto from = static_cast<std::size_t>(std::clamp(column - reach, 0, last));
     const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
     if (row.first[from] < row.first[to])

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "render/math/lanes.h"
@@ -23,8 +23,7 @@ class SharedOcclusion {
 
   /// What rays of one sample found.
   struct Found {
-    int x;  ///< the sample's pixel
-    int y;
+    int x;                           ///< the sample's pixel in its row
     int part;                        ///< index into Scene::parts, or floor_part
     Vec3 normal;                     ///< unit
     Color occluded = Color::Zero();  ///< irradiance divided by π
@@ -39,35 +38,24 @@ class SharedOcclusion {
         floor_reach_(floor_reach),
         rows_(static_cast<std::size_t>(height)) {}
 
-  /// Adds what was found in a pixel to the right of, or the same as, all others of its row. Several
-  /// threads may add to different rows.
-  void add(const Found& found);
-
-  /// Ends a row; nothing can be added to it from now on.
-  void finish_row(int y);
+  /// Sets what was found in a row, pixel by pixel from the left. Several threads may set different
+  /// rows.
+  void set_row(int y, std::span<const Found> found);
 
   /// Returns the light that is occluded in a pixel from surfaces of a part with about this normal
   /// (need not be of length 1): irradiance divided by π, black if nothing was found nearby.
   Color at(int x, int y, int part, const Vec3& normal) const;
 
  private:
-  /// Sums over what was found for one part in a pixel.
-  struct Entry {
-    int x;
-    int part;
-    Vec3 normal = Vec3::Zero();
-    Color occluded = Color::Zero();
-    float samples = 0.0f;
-  };
-  /// The entries of a row from left to right and, when it is finished, a list per quantity. Eight
-  /// more values follow each list, so that eight can be read from any entry on.
+  /// A list per quantity, of entries from left to right: sums over what was found for one part in a
+  /// pixel. Eight more values follow each list, so that eight can be read from any entry on.
   struct Row {
     enum List { normal_x, normal_y, normal_z, red, green, blue, samples, lists };
 
-    std::vector<Entry> entries;
-    std::vector<float> values;  // of all entries, list after list
+    std::vector<float> values;  // list after list
     std::vector<int> parts;
-    std::vector<int> first;  // per column from that of the first entry on: the first entry there
+    std::vector<int> first;  // per column from `begin` on, and at its end: the first entry there
+    int begin = 0;
 
     const float* at(List list, int entry) const {
       return &values[list * parts.size() + static_cast<std::size_t>(entry)];

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -22,17 +23,15 @@ constexpr int figure_reach = 3, floor_reach = 2;
 SharedOcclusion sharing_rows(int height) { return {height, figure_reach, floor_reach}; }
 
 /// A sample that lacks this share of white light.
-SharedOcclusion::Found found(int x, int y, int part, const Vec3& normal, float share) {
-  return {x, y, part, normal, Color::Constant(share)};
+SharedOcclusion::Found found(int x, int part, const Vec3& normal, float share) {
+  return {x, part, normal, Color::Constant(share)};
 }
 
 /// What pixels of a column share: of one sample each, that of row `dark` lacks all light.
 SharedOcclusion column_of(int part, int dark) {
   SharedOcclusion shared = sharing_rows(10);
-  for (int y = 0; y < 10; ++y) {
-    shared.add(found(4, y, part, Vec3::UnitY(), y == dark ? 1.0f : 0.0f));
-    shared.finish_row(y);
-  }
+  for (int y = 0; y < 10; ++y)
+    shared.set_row(y, {{found(4, part, Vec3::UnitY(), y == dark ? 1.0f : 0.0f)}});
   return shared;
 }
 
@@ -59,16 +58,15 @@ TEST(SharedOcclusion, IsBlackWhereNothingWasFound) {
   const SharedOcclusion nothing;
   EXPECT_TRUE((nothing.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
   SharedOcclusion shared = sharing_rows(4);
-  for (int y = 0; y < 4; ++y) shared.finish_row(y);
+  shared.set_row(2, {});
   EXPECT_TRUE((shared.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
 }
 
 TEST(SharedOcclusion, IsOfOneSurface) {
   SharedOcclusion shared = sharing_rows(3);
-  shared.add(found(0, 0, 3, Vec3::UnitZ(), 1.0f));
-  shared.add(found(0, 1, 4, Vec3::UnitZ(), 0.0f));
-  shared.add(found(0, 2, 3, Vec3::UnitX(), 0.25f));
-  for (int y = 0; y < 3; ++y) shared.finish_row(y);
+  shared.set_row(0, {{found(0, 3, Vec3::UnitZ(), 1.0f)}});
+  shared.set_row(1, {{found(0, 4, Vec3::UnitZ(), 0.0f)}});
+  shared.set_row(2, {{found(0, 3, Vec3::UnitX(), 0.25f)}});
   EXPECT_FLOAT_EQ(shared.at(0, 0, 3, Vec3::UnitZ())[0], 1.0f);
   EXPECT_EQ(shared.at(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
   EXPECT_FLOAT_EQ(shared.at(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
@@ -92,19 +90,20 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
   std::map<std::array<int, 3>, Group> groups;  // by row, column and part
   SharedOcclusion shared = sharing_rows(height);
   for (int y = 0; y < height; ++y) {
+    std::vector<SharedOcclusion::Found> row;
     for (int x = 0; x < width; ++x) {
       for (int samples = static_cast<int>(8.0f * unit(random)) - 3; samples > 0; --samples) {
         const int part = static_cast<int>(3.0f * unit(random)) - 1;
         const SharedOcclusion::Found one{
-            x, y, part, any_normal(), {unit(random), unit(random), unit(random)}};
-        shared.add(one);
+            x, part, any_normal(), {unit(random), unit(random), unit(random)}};
+        row.push_back(one);
         Group& group = groups[{y, x, part}];
         group.normal += one.normal;
         group.occluded += one.occluded;
         group.samples += 1.0f;
       }
     }
-    shared.finish_row(y);
+    shared.set_row(y, row);
   }
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
