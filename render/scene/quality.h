@@ -19,7 +19,7 @@ enum class Background {
 /// penumbrae are wide.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
-  int sky_rays = 2;            ///< rays towards the sky for each shaded surface sample
+  int sky_rays = 2;            ///< rays towards the sky for each shaded sample that does not share
   /// Number of samples of a pixel that share one shading where they hit the same solid of a figure;
   /// has no effect if solids move during the picture (motion blur).
   int samples_shaded_together = 1;
@@ -63,8 +63,9 @@ struct Quality {
   bool reference = false;
 
   /// Whether rays that are known to hit nothing are traced, too; for tests of the culling. The
-  /// picture takes longer, but is bit-identical if the set has no static solids and the rounded
-  /// 1 / samples_per_pixel, times samples_per_pixel, is 1.
+  /// picture takes longer, but is bit-identical if the set has no static solids, the rounded
+  /// 1 / samples_per_pixel, times samples_per_pixel, is 1, and all shadows on the floor are of
+  /// lines or none are shared.
   bool exhaustive = false;
 };
 

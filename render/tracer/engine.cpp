@@ -80,7 +80,7 @@ void Engine::sample_floor_sky(PreparedScene& prepared) {
 void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera) {
   const Quality& quality = prepared.quality;
   const int reach = std::max(quality.sky_sharing_pixels, quality.floor_sharing_pixels);
-  if (reach == 0 || quality.reference) return;
+  if (reach == 0 || quality.reference || prepared.bounds.radius < 0.0f) return;
   // Also beside the window, so that its pixels are those of the whole picture.
   const Window window = window_of(camera);
   const auto begin = [&](int first) { return std::max(first - reach, 0) / tile_size * tile_size; };
@@ -92,11 +92,13 @@ void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera
   SharedOcclusion shared(camera.height, quality.sky_sharing_pixels, quality.floor_sharing_pixels);
   run_alone([&] {
     tbb::parallel_for(0, (all.y_end - all.y_begin + tile_size - 1) / tile_size, [&](int band) {
+      if (stop_.stop_requested()) return;
       const int y = all.y_begin + band * tile_size;
-      render::find_shared_occlusion(
-          prepared, {all.x_begin, all.x_end, y, std::min(y + tile_size, all.y_end)}, shared);
+      find_occlusion_in(prepared, {all.x_begin, all.x_end, y, std::min(y + tile_size, all.y_end)},
+                        shared);
     });
   });
+  if (stop_.stop_requested()) throw Stopped{};
   prepared.shared_occlusion = std::move(shared);
 }
 

@@ -97,7 +97,7 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
     if (is_black(surface)) continue;
     add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
               surface.albedo * unoccluded_sky_light(sky, surface.normal));
-    if (shares) add_to_group(point);
+    if (shares) add_to_group(point, surface.albedo * unoccluded_sky_light(sky, surface.normal));
   }
   if (shares) return;
   Query query;
@@ -120,7 +120,8 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
   }
 }
 
-void Lighting::add_to_group(const ShadingPoint& point) {
+// `light`: what it reflects of the unoccluded sky.
+void Lighting::add_to_group(const ShadingPoint& point, const Color& light) {
   const Sample& sample = point.sample;
   const int part = point.surface.part;
   std::size_t number = groups_.size();
@@ -132,11 +133,11 @@ void Lighting::add_to_group(const ShadingPoint& point) {
     number = groups_.size();
   }
   Group& group = groups_[number - 1];
-  group.normals += point.surface.normal;
-  group.albedo += sample.weight * point.surface.albedo;
+  group.normals += (sample.weight + sample.partner_weight) * point.surface.normal;
+  group.light += sample.weight * light;
   if (sample.partner == nullptr) return;
   group.partner = sample.partner;
-  group.partner_albedo += sample.partner_weight * point.surface.albedo;
+  group.partner_light += sample.partner_weight * light;
 }
 
 void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) {
@@ -224,11 +225,12 @@ void Lighting::trace() {
 void Lighting::finish() {
   trace();
   for (const Group& group : groups_) {
-    const Pixel& pixel = *group.pixel;
-    const Color lacking =
-        prepared_.shared_occlusion.at(pixel.x, pixel.y, group.part, group.normals);
-    group.pixel->figure -= group.albedo * lacking;
-    if (group.partner != nullptr) group.partner->figure -= group.partner_albedo * lacking;
+    const auto subtract = [&](Pixel& pixel, const Color& light) {
+      pixel.figure -=
+          light * prepared_.shared_occlusion.at(pixel.x, pixel.y, group.part, group.normals);
+    };
+    subtract(*group.pixel, group.light);
+    if (group.partner != nullptr) subtract(*group.partner, group.partner_light);
   }
   groups_.clear();
 }

@@ -47,10 +47,10 @@ class Lighting {
   struct Group {
     Pixel* pixel;
     int part;
-    Vec3 normals = Vec3::Zero();           // sum over the samples
-    Color albedo = Color::Zero();          // the same
-    Pixel* partner = nullptr;              // a pixel that samples represent, too
-    Color partner_albedo = Color::Zero();  // sum over its samples
+    Vec3 normals = Vec3::Zero();          // sum over the samples, by weight
+    Color light = Color::Zero();          // that they reflect of the unoccluded sky, the same
+    Pixel* partner = nullptr;             // a pixel that samples represent, too
+    Color partner_light = Color::Zero();  // sum over its samples
   };
 
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
@@ -59,7 +59,7 @@ class Lighting {
   void add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
                        Color Pixel::*sum);
   void add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals, bool of_figure);
-  void add_to_group(const ShadingPoint& point);
+  void add_to_group(const ShadingPoint& point, const Color& light);
 
   /// Queues a shadow ray; `query.light` is the radiance that it contributes for each of the samples
   /// that its sample represents.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "render/light/floor.h"
 #include "render/light/light.h"
 #include "render/math/constants.h"
 #include "render/tracer/camera_rays.h"
@@ -28,7 +28,8 @@ class OcclusionFinder {
         everywhere_(prepared.is_per_sample() || prepared.quality.exhaustive),
         planner_(prepared),
         lines_(prepared) {
-    if (prepared.quality.floor_sharing_pixels == 0) return;
+    // Pixels that render their own background cast rays for their floor.
+    if (prepared.quality.floor_sharing_pixels == 0 || prepared.is_per_sample()) return;
     for (std::size_t k = 0; k < prepared.scene.lights.size(); ++k) floor_lights_ |= 1u << k;
     floor_lights_ &= ~prepared.line_lights;
   }
@@ -63,12 +64,12 @@ class OcclusionFinder {
   const bool everywhere_;           // any pixel may show the figure
   std::uint32_t floor_lights_ = 0;  // whose shadows on the floor are shared
   PixelPlanner planner_;
-  FloorLines lines_;
+  FloorLines lines_;  // the planner needs it
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
   RayPacket rays_;
   std::array<Point*, packet_size> ray_points_;
-  std::array<Color, packet_size> ray_light_;  // irradiance divided by π
+  std::array<Color, packet_size> ray_light_;
   std::array<std::vector<SharedOcclusion::Found>, tile_size> rows_;
 };
 
@@ -100,17 +101,18 @@ void OcclusionFinder::find(const Tile& tile) {
 }
 
 void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
-  const int all = prepared_.quality.samples_per_pixel;
-  const int every = prepared_.quality.samples_per_shared_ray;
-  // Pixels with fewer samples take turns, like the fields of a chessboard.
-  const int before = (x + y) * all % every;
-  for (int i = (every - before) % every; i < all; i += every) {
+  // Every n-th sample of the sequence that all pixels share: pixels with fewer samples take turns.
+  const auto every = static_cast<std::uint32_t>(prepared_.quality.samples_per_shared_ray);
+  const PixelSampler sampler = prepared_.sampler.for_pixel(x, y);
+  const std::uint32_t first = (every - sampler.index(0) % every) % every;
+  for (std::uint32_t i = first; i < static_cast<std::uint32_t>(prepared_.quality.samples_per_pixel);
+       i += every) {
     Point& point = points_[count_];
     point.pixel.x = x;
     point.pixel.y = y;
-    point.pixel.sampler = prepared_.sampler.for_pixel(x, y);
+    point.pixel.sampler = sampler;
     point.pixel.shadow_lights = lights;
-    point.sample = sample_at(prepared_, point.pixel, i);
+    point.sample = sample_at(prepared_, point.pixel, static_cast<int>(i));
     point.found = {x, nothing, Vec3::UnitY()};
     if (++count_ == lanes) cast();
   }
@@ -151,6 +153,7 @@ void OcclusionFinder::place() {
 }
 
 void OcclusionFinder::find_sky() {
+  const Sky& sky = prepared_.scene.sky;
   const auto shows_figure = [](const Point& point) { return point.found.part >= 0; };
   if (std::none_of(points_.begin(), points_.begin() + count_, shows_figure)) return;
   LaneVectors normals;
@@ -160,8 +163,9 @@ void OcclusionFinder::find_sky() {
   for (std::size_t i = 0; i < count_; ++i) {
     if (!shows_figure(points_[i])) continue;
     const Vec3 direction = towards.at(static_cast<int>(i));
+    const Color all = unoccluded_sky_light(sky, points_[i].found.normal);
     enqueue(points_[i], direction, distance_to_end(prepared_.scene, points_[i].origin, direction),
-            sky_radiance(prepared_.scene.sky, direction));
+            (all > 0.0f).select(sky_radiance(sky, direction) / all, 0.0f));
   }
   std::uint32_t occluded = prepared_.figure.occluded(rays_);
   if (prepared_.static_solids != nullptr) occluded |= prepared_.static_solids->occluded(rays_);
@@ -184,20 +188,22 @@ void OcclusionFinder::find_light(int number) {
     const Vec3 towards = chosen.towards.at(lane);
     const float irradiance = towards.y() * chosen.share[lane];
     if (is_shadowed(points_[i]) && irradiance > 0.0f &&
-        may_intersect(prepared_.bounds, points_[i].origin, towards))
+        (prepared_.quality.exhaustive ||
+         may_intersect(prepared_.bounds, points_[i].origin, towards)))
       enqueue(points_[i], towards, chosen.distance[lane], irradiance / pi * light.radiance);
   }
+  if (rays_.count == 0) return;
   std::uint32_t occluded = prepared_.figure.occluded(rays_);
   if (prepared_.static_solids != nullptr) occluded &= ~prepared_.static_solids->occluded(rays_);
   add(occluded);
 }
 
 LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const {
-  const int every = prepared_.quality.samples_per_shared_ray;
+  const auto every = static_cast<std::uint32_t>(prepared_.quality.samples_per_shared_ray);
   LaneWords index, seed;
   for (std::size_t i = 0; i < count_; ++i) {
     const Sample& sample = points_[i].sample;
-    index.lane[i] = sample.pixel->sampler.index_of_group(sample.index / every, every);
+    index.lane[i] = sample.pixel->sampler.index(sample.index) / every;
     seed.lane[i] = sample.pixel->sampler.seed(dimension, which);
   }
   return sample_points(index, seed);
@@ -219,8 +225,7 @@ void OcclusionFinder::add(std::uint32_t occluded) {
 
 }  // namespace
 
-void find_shared_occlusion(const PreparedScene& prepared, const Tile& band,
-                           SharedOcclusion& shared) {
+void find_occlusion_in(const PreparedScene& prepared, const Tile& band, SharedOcclusion& shared) {
   OcclusionFinder(prepared, shared).find_in(band);
 }
 

@@ -10,7 +10,6 @@ namespace mien::render {
 /// figure, that of the sky, and on the floor, that of the area lights whose shadows are not
 /// line-sampled. One of every Quality::samples_per_shared_ray samples casts rays. `band` has all
 /// tiles of a row that anything is to be found for.
-void find_shared_occlusion(const PreparedScene& prepared, const Tile& band,
-                           SharedOcclusion& shared);
+void find_occlusion_in(const PreparedScene& prepared, const Tile& band, SharedOcclusion& shared);
 
 }  // namespace mien::render

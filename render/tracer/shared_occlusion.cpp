@@ -1,6 +1,7 @@
 #include "render/tracer/shared_occlusion.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "render/math/for_avx2.h"
 
@@ -15,8 +16,8 @@ float sum_of(const LaneFloats& values) {
 
 }  // namespace
 
-void SharedOcclusion::set_row(int y, std::span<const Found> found) {
-  Row& row = rows_[static_cast<std::size_t>(y)];
+void SharedOcclusion::set_row(int number, std::span<const Found> found) {
+  Row& row = rows_[static_cast<std::size_t>(number)];
   if (found.empty()) return;
   const std::size_t size = found.size() + lanes;  // at most
   row.values.resize(Row::lists * size);
@@ -46,11 +47,11 @@ void SharedOcclusion::set_row(int y, std::span<const Found> found) {
       row.values[list * size + entry] += values[list];
   }
   row.first.back() = static_cast<int>(count);
-  float *x = row.values.data(), *y_values = x + size, *z = y_values + size;
+  float *x = row.values.data(), *y = x + size, *z = y + size;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 normal = Vec3(x[i], y_values[i], z[i]).normalized();
+    const Vec3 normal = Vec3(x[i], y[i], z[i]).normalized();
     x[i] = normal.x();
-    y_values[i] = normal.y();
+    y[i] = normal.y();
     z[i] = normal.z();
   }
 }
@@ -59,6 +60,7 @@ void SharedOcclusion::set_row(int y, std::span<const Found> found) {
 // same on every machine.
 [[gnu::always_inline]] inline void SharedOcclusion::add(const Neighbours& near, Sums& sums) {
   const float x = near.normal.x(), y = near.normal.y(), z = near.normal.z();
+  const float offset = near.offset;
   const int part = near.part;
   for (int begin = near.begin; begin < near.end; begin += static_cast<int>(lanes)) {
     const Row& row = near.row;
@@ -70,7 +72,7 @@ void SharedOcclusion::set_row(int y, std::span<const Found> found) {
     const int count = near.end - begin;
 #pragma omp simd
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
-      const float above = 2.0f * (x * nx[i] + y * ny[i] + z * nz[i]) - 1.0f;
+      const float above = 2.0f * (x * nx[i] + y * ny[i] + z * nz[i]) + offset;
       const bool counts = (i < count) & (parts[i] == part) & (above > 0.0f);
       const float weight = counts ? above * above : 0.0f;
       sums.red.lane[i] += weight * red[i];
@@ -84,21 +86,24 @@ void SharedOcclusion::set_row(int y, std::span<const Found> found) {
 MIEN_FOR_AVX2_TOO Color SharedOcclusion::at(int x, int y, int part, const Vec3& normal) const {
   const int reach = part == floor_part ? floor_reach_ : figure_reach_;
   const int last_row = std::min(y + reach, static_cast<int>(rows_.size()) - 1);
-  const Vec3 unit = normal.normalized();
-  Sums sums;
-  for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
-    const Row& row = rows_[static_cast<std::size_t>(number)];
-    if (row.first.empty()) continue;
-    const int last = static_cast<int>(row.first.size()) - 1;
-    const int column = x - row.begin;
-    const auto from = static_cast<std::size_t>(std::clamp(column - reach, 0, last));
-    const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
-    if (row.first[from] < row.first[to])
-      add({row, row.first[from], row.first[to], part, unit}, sums);
-  }
-  const float samples = sum_of(sums.samples);
-  if (!(samples > 0.0f)) return Color::Zero();
-  return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
+  const auto mean = [&](const Vec3& direction, float offset) -> std::optional<Color> {
+    Sums sums;
+    for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
+      const Row& row = rows_[static_cast<std::size_t>(number)];
+      if (row.first.empty()) continue;
+      const int last = static_cast<int>(row.first.size()) - 1;
+      const int column = x - row.begin;
+      const auto from = static_cast<std::size_t>(std::clamp(column - reach, 0, last));
+      const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
+      if (row.first[from] < row.first[to])
+        add({row, row.first[from], row.first[to], part, direction, offset}, sums);
+    }
+    const float samples = sum_of(sums.samples);
+    if (!(samples > 0.0f)) return std::nullopt;
+    return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
+  };
+  if (const auto alike = mean(normal.normalized(), -1.0f)) return *alike;
+  return mean(Vec3::Zero(), 1.0f).value_or(Color::Zero());
 }
 
 }  // namespace mien::render

@@ -9,8 +9,8 @@
 
 namespace mien::render {
 
-/// Light that the figure occludes from its own surfaces and from the floor, found by a few rays in
-/// each pixel before the picture is rendered (occlusion_rays.h). Pixels take it from what was found
+/// Light that the figure occludes from its own surfaces and from the floor, found by rays of few
+/// samples before the picture is rendered (occlusion_rays.h). Pixels take it from what was found
 /// for the same surface nearby: with so few rays of its own, each would be a dark dot or none.
 ///
 /// What is nearby are pixels whose rows and columns differ by no more than the reach. They count as
@@ -26,7 +26,8 @@ class SharedOcclusion {
     int x;                           ///< the sample's pixel in its row
     int part;                        ///< index into Scene::parts, or floor_part
     Vec3 normal;                     ///< unit
-    Color occluded = Color::Zero();  ///< irradiance divided by π
+    Color occluded = Color::Zero();  ///< on figures, as a share of the sky's light; on the floor,
+                                     ///< irradiance divided by π
   };
 
   SharedOcclusion() = default;  ///< nothing is shared
@@ -40,10 +41,11 @@ class SharedOcclusion {
 
   /// Sets what was found in a row, pixel by pixel from the left. Several threads may set different
   /// rows.
-  void set_row(int y, std::span<const Found> found);
+  void set_row(int number, std::span<const Found> found);
 
   /// Returns the light that is occluded in a pixel from surfaces of a part with about this normal
-  /// (need not be of length 1): irradiance divided by π, black if nothing was found nearby.
+  /// (need not be of length 1), as for Found. If the part was found nearby with other normals only,
+  /// these count; black if it was not found.
   Color at(int x, int y, int part, const Vec3& normal) const;
 
  private:
@@ -67,7 +69,9 @@ class SharedOcclusion {
     int begin;
     int end;
     int part;
+    // Weights are squares of twice the cosine to this normal plus the offset, if that is positive.
     Vec3 normal;
+    float offset;
   };
   /// Weighted sums over neighbours.
   struct Sums {

@@ -52,7 +52,7 @@ class TileRenderer {
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   template <class SurfaceAt>
-  bool merge(std::vector<ShadingPoint>& points, const Sample& sample, const SurfaceAt& surface);
+  bool merge(const Sample& sample, const SurfaceAt& surface);
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
@@ -221,7 +221,7 @@ void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int r
                               const FirstHit& hit) {
   ++sample.pixel->covered;
   const auto surface = [&] { return surface_at(prepared_, rays, ray, hit); };
-  if (hit.shape == last_shape_ && merge(figure_points_, sample, surface)) return;
+  if (hit.shape == last_shape_ && merge(sample, surface)) return;
   last_shape_ = hit.shape;
   figure_points_.push_back({sample, surface()});
 }
@@ -230,11 +230,10 @@ void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int r
 // together. Of a pair of pixels any sample may be the shaded one, with equal probability: otherwise
 // light would shift to the left.
 template <class SurfaceAt>
-bool TileRenderer::merge(std::vector<ShadingPoint>& points, const Sample& sample,
-                         const SurfaceAt& surface) {
+bool TileRenderer::merge(const Sample& sample, const SurfaceAt& surface) {
   const int together = prepared_.quality.samples_shaded_together;
-  if (together == 1 || points.empty() || prepared_.closing_solids != nullptr) return false;
-  Sample& last = points.back().sample;
+  if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
+  Sample& last = figure_points_.back().sample;
   if (last.pixel == sample.pixel) {
     if (last.index / together != sample.index / together) return false;
     last.weight += 1.0f;
@@ -246,7 +245,7 @@ bool TileRenderer::merge(std::vector<ShadingPoint>& points, const Sample& sample
   last.partner = sample.pixel;
   last.partner_weight += 1.0f;
   if (pixel.sampler.fast_random(sample.index) * (last.weight + last.partner_weight) < 1.0f)
-    points.back().surface = surface();
+    figure_points_.back().surface = surface();
   return true;
 }
 

@@ -16,9 +16,12 @@ void check(const Quality& quality) {
   if (quality.samples_per_pixel < 1 || quality.sky_rays < 1 || quality.static_samples < 1 ||
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
-  if (quality.sky_sharing_pixels < 0 || quality.floor_sharing_pixels < 0 ||
-      quality.samples_per_shared_ray < 1)
-    throw std::invalid_argument("quality: pixels that share occlusion, or their rays, are too few");
+  constexpr int farthest = 64;  // pixels
+  for (const int reach : {quality.sky_sharing_pixels, quality.floor_sharing_pixels})
+    if (reach < 0 || reach > farthest || quality.samples_per_shared_ray < 1)
+      throw std::invalid_argument(
+          "quality: occlusion is shared within 0 to 64 pixels, by rays of one of 1 or more "
+          "samples");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }

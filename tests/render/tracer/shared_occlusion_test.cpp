@@ -71,6 +71,7 @@ TEST(SharedOcclusion, IsOfOneSurface) {
   EXPECT_EQ(shared.at(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
   EXPECT_FLOAT_EQ(shared.at(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
   EXPECT_FLOAT_EQ(shared.at(0, 2, 3, 5.0f * Vec3::UnitX())[0], 0.25f) << "of any length";
+  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, -Vec3::UnitX())[0], 0.625f) << "no such side: the mean of all";
 }
 
 // Against the definition, for pixels whose samples show several parts by turns.
@@ -110,16 +111,21 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
       for (int part = -1; part < 2; ++part) {
         const Vec3 normal = any_normal();
         const int reach = part == SharedOcclusion::floor_part ? floor_reach : figure_reach;
-        Color sum = Color::Zero();
-        float weights = 0.0f;
+        // By normals, and of all normals alike.
+        Color sum = Color::Zero(), all = Color::Zero();
+        float weights = 0.0f, samples = 0.0f;
         for (const auto& [place, group] : groups) {
           if (std::abs(place[0] - y) > reach || std::abs(place[1] - x) > reach || place[2] != part)
             continue;
           const float above = std::max(2.0f * normal.dot(group.normal.normalized()) - 1.0f, 0.0f);
           sum += above * above * group.occluded;
           weights += above * above * group.samples;
+          all += group.occluded;
+          samples += group.samples;
         }
-        const Color expected = weights > 0.0f ? Color(sum / weights) : Color(Color::Zero());
+        const Color expected = weights > 0.0f   ? Color(sum / weights)
+                               : samples > 0.0f ? Color(all / samples)
+                                                : Color(Color::Zero());
         EXPECT_LT((shared.at(x, y, part, normal) - expected).abs().maxCoeff(), 1e-5f)
             << x << ' ' << y << ' ' << part;
       }
