@@ -34,7 +34,7 @@ struct Quality {
   int sky_sharing_pixels = 2;
   /// As above for what shadow rays find occluded of the area lights on the floor.
   int floor_sharing_pixels = 2;
-  /// Where samples share, one of so many casts rays.
+  /// Where samples share, one of so many casts rays, and two where the floor may be shadowed.
   int samples_per_shared_ray = 6;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 

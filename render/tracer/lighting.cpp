@@ -95,9 +95,9 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
   for (const ShadingPoint& point : batch) {
     const Surface& surface = point.surface;
     if (is_black(surface)) continue;
-    add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
-              surface.albedo * unoccluded_sky_light(sky, surface.normal));
-    if (shares) add_to_group(point, surface.albedo * unoccluded_sky_light(sky, surface.normal));
+    const Color light = surface.albedo * unoccluded_sky_light(sky, surface.normal);
+    add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set, light);
+    if (shares) add_to_group(point, light);
   }
   if (shares) return;
   Query query;

@@ -42,6 +42,7 @@ class OcclusionFinder {
   struct Point {
     Pixel pixel;
     Sample sample;
+    std::uint32_t index = 0;  // of its random numbers
     Vec3 origin = Vec3::Zero();
     SharedOcclusion::Found found;
   };
@@ -102,7 +103,9 @@ void OcclusionFinder::find(const Tile& tile) {
 
 void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
   // Every n-th sample of the sequence that all pixels share: pixels with fewer samples take turns.
-  const auto every = static_cast<std::uint32_t>(prepared_.quality.samples_per_shared_ray);
+  // The edges of shadows on the floor need twice as many.
+  const int sharing = prepared_.quality.samples_per_shared_ray;
+  const auto every = static_cast<std::uint32_t>(lights != 0 ? std::max(sharing / 2, 1) : sharing);
   const PixelSampler sampler = prepared_.sampler.for_pixel(x, y);
   const std::uint32_t first = (every - sampler.index(0) % every) % every;
   for (std::uint32_t i = first; i < static_cast<std::uint32_t>(prepared_.quality.samples_per_pixel);
@@ -113,6 +116,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
     point.pixel.sampler = sampler;
     point.pixel.shadow_lights = lights;
     point.sample = sample_at(prepared_, point.pixel, static_cast<int>(i));
+    point.index = sampler.index(static_cast<int>(i)) / every;
     point.found = {x, nothing, Vec3::UnitY()};
     if (++count_ == lanes) cast();
   }
@@ -199,12 +203,10 @@ void OcclusionFinder::find_light(int number) {
 }
 
 LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const {
-  const auto every = static_cast<std::uint32_t>(prepared_.quality.samples_per_shared_ray);
   LaneWords index, seed;
   for (std::size_t i = 0; i < count_; ++i) {
-    const Sample& sample = points_[i].sample;
-    index.lane[i] = sample.pixel->sampler.index(sample.index) / every;
-    seed.lane[i] = sample.pixel->sampler.seed(dimension, which);
+    index.lane[i] = points_[i].index;
+    seed.lane[i] = points_[i].pixel.sampler.seed(dimension, which);
   }
   return sample_points(index, seed);
 }

@@ -38,9 +38,10 @@ struct Pixel {
   // separately, so that each sum is always taken in the same order.
   Color known_figure = Color::Zero();  ///< light from the figure
   Color known_set = Color::Zero();     ///< light from the set, of samples that render their own set
-  Color figure = Color::Zero();        ///< light of the figure that shadow rays add or subtract
+  Color figure = Color::Zero();        ///< light of the figure that shadow rays add or subtract,
+                                       ///< and occlusion that is shared
   Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract, and
-                                       ///< shadows of line sampling
+                                       ///< shadows that are line-sampled or shared
 };
 
 /// Whether two pixels are the same, or a pair: columns 2k and 2k + 1 of a row.

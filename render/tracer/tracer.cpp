@@ -20,8 +20,8 @@ void check(const Quality& quality) {
   for (const int reach : {quality.sky_sharing_pixels, quality.floor_sharing_pixels})
     if (reach < 0 || reach > farthest || quality.samples_per_shared_ray < 1)
       throw std::invalid_argument(
-          "quality: occlusion is shared within 0 to 64 pixels, by rays of one of 1 or more "
-          "samples");
+          "quality: occlusion can be shared within 0 to 64 pixels, with 1 or more samples per "
+          "shared ray");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }

@@ -248,6 +248,14 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
   }
 }
 
+TEST(Exposing, RefusesSharingThatHasNoBounds) {
+  const Scene scene = shining_ball(0.6f);
+  for (const Quality& quality :
+       {Quality{.sky_sharing_pixels = -1}, Quality{.floor_sharing_pixels = 65},
+        Quality{.samples_per_shared_ray = 0}})
+    EXPECT_THROW(Tracer().trace(scene, straight_on(), quality), std::invalid_argument);
+}
+
 TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
   Scene scene = shining_ball(0.6f);
   scene.has_ground = true;
@@ -277,6 +285,13 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
       EXPECT_EQ(Tracer().trace(scene, cropped, few),
                 crop(Tracer().trace(scene, camera, few), window));
     }
+  }
+  scene.figures[0].opacity = 0.7f;  // shadows on the floor are shared, too
+  for (const Window& window : {Window{32, 32, 16, 16}, Window{48, 32, 16, 16}}) {
+    cropped.window = window;
+    for (const Quality& quality : {draft_quality(), standard_quality()})
+      EXPECT_EQ(Tracer().trace(scene, cropped, quality),
+                crop(Tracer().trace(scene, camera, quality), window));
   }
   cropped.window = Window{37, 21, 30, 29};
   const Quality quality{.samples_per_pixel = 4};
