@@ -67,6 +67,27 @@ FilmBox film_box(const CameraFrame& camera, const Ball& ball) {
   return box;
 }
 
+/// Of the box around balls.
+template <class Balls>
+BoundingSphere sphere_around(const Balls& balls) {
+  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
+  for (const Ball& ball : balls) {
+    low = low.min(ball.centre.array() - ball.radius);
+    high = high.max(ball.centre.array() + ball.radius);
+  }
+  return {(0.5f * (low + high)).matrix(), 0.5f * (high - low).matrix().norm()};
+}
+
+float area(const Triangle& triangle) {
+  return 0.5f * (triangle.b - triangle.a).cross(triangle.c - triangle.a).norm();
+}
+
+/// A quarter of the surface, as of any convex solid (Cauchy).
+float silhouette(const PreparedCone& cone) {
+  const float a = cone.radius_a, b = cone.radius_b;
+  return 0.25f * pi * ((a + b) * cone.axis.norm() + 2.0f * (a * a + b * b));
+}
+
 }  // namespace
 
 BoundingSphere bounding_sphere(const Shapes& shapes) {
@@ -97,31 +118,30 @@ bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3&
          aside <= 1.001f * sphere.radius * sphere.radius + rounding;
 }
 
-std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes) {
-  // A piece of a round cone is as thick as it is long; triangles are near each other if they are in
-  // the list (Mesh::triangles), and so many at a time have a sphere.
+std::vector<FigurePiece> pieces_of(const Shapes& shapes) {
+  std::vector<FigurePiece> pieces;
+  for (std::size_t i = 0; i < shapes.cones.size(); ++i) {
+    const std::size_t first = pieces.size();
+    visit_cone_pieces(shapes, i, [&](const auto& balls) {
+      pieces.push_back({sphere_around(balls), 0.0f});
+    });
+    const float each = silhouette(shapes.cones[i]) / static_cast<float>(pieces.size() - first);
+    for (std::size_t k = first; k < pieces.size(); ++k) pieces[k].silhouette = each;
+  }
+  // Triangles are near each other if they are in the list (Mesh::triangles).
   constexpr std::size_t together = 64;
-  std::vector<BoundingSphere> spheres;
-  Eigen::Array3f low = Eigen::Array3f::Constant(infinity), high = -low;
-  std::size_t gathered = 0;
-  const auto close = [&] {
-    if (gathered == 0) return;
-    spheres.push_back({(0.5f * (low + high)).matrix(), 0.5f * (high - low).matrix().norm()});
-    low.setConstant(infinity);
-    high.setConstant(-infinity);
-    gathered = 0;
-  };
-  visit_pieces(shapes, [&](const auto& balls) {
-    const bool of_triangle = balls[0].radius == 0.0f;
-    if (!of_triangle) close();
-    for (const Ball& ball : balls) {
-      low = low.min(ball.centre.array() - ball.radius);
-      high = high.max(ball.centre.array() + ball.radius);
-    }
-    if (++gathered == together || !of_triangle) close();
+  std::vector<Ball> corners;
+  float surface = 0.0f;
+  std::size_t number = 0;
+  visit_triangle_pieces(shapes, [&](const auto& balls) {
+    corners.insert(corners.end(), balls.begin(), balls.end());
+    surface += area(shapes.triangles[number++]);
+    if (number % together != 0 && number != shapes.triangles.size()) return;
+    pieces.push_back({sphere_around(corners), 0.25f * surface});
+    corners.clear();
+    surface = 0.0f;
   });
-  close();
-  return spheres;
+  return pieces;
 }
 
 PixelMask::PixelMask(const Camera& camera, const Shapes& shapes, float filter_half_width)

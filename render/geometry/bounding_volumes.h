@@ -22,8 +22,15 @@ BoundingSphere bounding_sphere(const Shapes& shapes);
 /// Returns whether a ray with unit direction may hit the contents of the sphere.
 bool may_intersect(const BoundingSphere& sphere, const Vec3& origin, const Vec3& direction);
 
-/// Spheres that together contain all shapes, few but tight.
-std::vector<BoundingSphere> bounding_spheres(const Shapes& shapes);
+/// A piece of a figure: a sphere around it, and how much of a view it covers.
+struct FigurePiece {
+  BoundingSphere sphere;
+  float silhouette = 0.0f;  ///< area, mean over all directions, m²
+};
+
+/// Pieces that together contain all shapes: few, but with tight spheres. The silhouettes of meshes
+/// are those of closed surfaces.
+std::vector<FigurePiece> pieces_of(const Shapes& shapes);
 
 /// The pixels whose primary rays may hit a shape, at any offset within the reconstruction filter.
 /// The filter's half width is in pixels.

@@ -37,29 +37,28 @@ FloorSky::FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Qua
     cells_[0].known = false;
     return;
   }
-  spheres_ = bounding_spheres(shapes);
+  pieces_ = pieces_of(shapes);
   // The figure is near the middle: at least a quarter of the root from its rim, wherever it is.
   origin_x_ = floored_multiple(bounds.centre.x() - metres(root_side / 4), root_side / 2);
   origin_z_ = floored_multiple(bounds.centre.z() - metres(root_side / 4), root_side / 2);
   divide(0, {origin_x_, origin_z_, root_side});
 }
 
-// A sphere of radius r at height h and distance d occludes r² h / d³ of the sky. Its second
-// derivative along the floor is at most 12 / d² of that, and bilinear interpolation errs by an
-// eighth of it times the side squared.
+// What has a silhouette of area a, at height h and distance d, occludes a h / (π d³) of the sky.
+// Its second derivative along the floor is at most 12 / d² of that, and bilinear interpolation errs
+// by an eighth of it times the side squared.
 float FloorSky::interpolation_error(const Square& square) const {
   const float side = metres(square.side);
   const Vec3 centre{metres(square.x) + 0.5f * side, 0.0f, metres(square.z) + 0.5f * side};
   float error = 0.0f;
-  for (const BoundingSphere& sphere : spheres_) {
+  for (const auto& [sphere, silhouette] : pieces_) {
     const Vec3 towards = sphere.centre - centre;
     const float squared = towards.squaredNorm();
     const float distance = std::sqrt(squared);
     const float gap = distance - sphere.radius - 0.71f * side;
     if (gap <= 0.25f * side) return 1.0f;
     const float height = std::max(towards.y(), 0.0f) + sphere.radius;
-    const float seen =
-        std::min(sphere.radius * sphere.radius * height / (squared * distance), 0.5f);
+    const float seen = std::min(silhouette / pi * height / (squared * distance), 0.5f);
     error += 1.5f * seen * side * side / (gap * gap);
     if (error > quality_.floor_sky_tolerance) return error;  // how much more is of no account
   }
@@ -71,9 +70,9 @@ float FloorSky::interpolation_error(const Square& square) const {
 bool FloorSky::is_within_sphere(const Square& square) const {
   const float side = metres(square.side);
   const Vec3 centre{metres(square.x) + 0.5f * side, 0.0f, metres(square.z) + 0.5f * side};
-  return std::any_of(spheres_.begin(), spheres_.end(), [&](const BoundingSphere& sphere) {
-    const float inside = sphere.radius - 0.71f * side;
-    return inside > 0.0f && (sphere.centre - centre).squaredNorm() < inside * inside;
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const FigurePiece& piece) {
+    const float inside = piece.sphere.radius - 0.71f * side;
+    return inside > 0.0f && (piece.sphere.centre - centre).squaredNorm() < inside * inside;
   });
 }
 
@@ -184,7 +183,7 @@ void FloorSky::sample_corner(std::size_t number, const EmbreeScene& figure,
 const FloorSky::Cell& FloorSky::cell_at(float x, float z) const {
   const float u = (x - metres(origin_x_)) / metres(root_side);
   const float v = (z - metres(origin_z_)) / metres(root_side);
-  if (spheres_.empty() || !(u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f)) return cells_[0];
+  if (pieces_.empty() || !(u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f)) return cells_[0];
   Square square{origin_x_, origin_z_, root_side};
   const Branch* branch = &branches_[0];
   while (branch->children >= 0) {

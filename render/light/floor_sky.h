@@ -92,7 +92,7 @@ class FloorSky {
   int rays_from(const Corner& corner) const;
 
   BoundingSphere bounds_;
-  std::vector<BoundingSphere> spheres_;
+  std::vector<FigurePiece> pieces_;
   Quality quality_;
   std::array<HalfSpace, 4> view_;
   int origin_x_ = 0;  // of the root, in units of 1/64 m
