@@ -62,14 +62,15 @@ bool overlap(const FloorArea& a, const FloorArea& b) {
          a.z_max + rounding >= b.z_min && a.z_min - rounding <= b.z_max;
 }
 
-}  // namespace
-
+/// Whether a solid lies entirely behind the plane of the light, where it cannot occlude it.
 bool is_behind(const AreaLight& light, const PreparedCone& solid) {
   constexpr float nearest = 1e-3f;  // metres
   const Vec3 front = light.half_u.cross(light.half_v).normalized();
   return front.dot(solid.a - light.centre) + solid.radius_a < -nearest &&
          front.dot(solid.b() - light.centre) + solid.radius_b < -nearest;
 }
+
+}  // namespace
 
 ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   const Vec3& side = light.half_u;
@@ -89,12 +90,7 @@ ShadowMask::ShadowMask(const AreaLight& light, const Shapes& shapes) {
   };
   for (std::size_t i = 0; i < shapes.cones.size(); ++i) {
     if (shapes.closing_cones.empty() && is_behind(light, shapes.cones[i])) continue;
-    visit_cone_pieces(shapes, i, [&](const auto& balls) {
-      add(box_around(balls));
-      float height = infinity;
-      for (const Ball& ball : balls) height = std::min(height, ball.centre.y() - ball.radius);
-      casters_.push_back({areas.back(), static_cast<int>(i), std::max(height, 0.0f)});
-    });
+    visit_cone_pieces(shapes, i, [&](const auto& balls) { add(box_around(balls)); });
   }
   visit_patch_boxes(shapes, add);
   if (areas.empty()) return;
@@ -149,17 +145,6 @@ bool ShadowMask::may_shade_all(const FloorArea& floor) const {
     for (int x = column(area.x_min); x <= column(area.x_max); ++x)
       if (touched_[static_cast<std::size_t>(z * cells + x)] == 0) return false;
   return true;
-}
-
-float ShadowMask::add_casters(const FloorArea& floor, std::vector<int>& cones) const {
-  const FloorArea area = turned(floor);
-  float height = infinity;
-  for (const Caster& caster : casters_) {
-    if (!overlap(area, caster.area)) continue;
-    if (cones.empty() || cones.back() != caster.cone) cones.push_back(caster.cone);
-    height = std::min(height, caster.height);
-  }
-  return height;
 }
 
 }  // namespace mien::render

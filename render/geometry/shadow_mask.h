@@ -16,9 +16,6 @@ struct FloorArea {
   float z_max;
 };
 
-/// Returns whether a solid lies entirely behind the plane of the light, where it cannot occlude it.
-bool is_behind(const AreaLight& light, const PreparedCone& solid);
-
 /// A grid of floor cells that marks where the shapes may occlude all or part of a light. It is
 /// turned to the sides of the light, as are penumbrae, so that cells and bounds are tight.
 class ShadowMask {
@@ -32,21 +29,8 @@ class ShadowMask {
   /// grid.
   bool may_shade_all(const FloorArea& area) const;
 
-  /// Adds, in ascending order, the indices of the round cones that may occlude part of the light
-  /// from some point of the area. Returns the lowest height above the floor, metres, of the pieces
-  /// of these cones that may do so; infinity if there are none.
-  float add_casters(const FloorArea& area, std::vector<int>& cones) const;
-
  private:
   static constexpr int cells = 128;  // cells per side
-
-  /// The area of the floor, in the frame of the grid, from which a piece of a round cone may
-  /// occlude the light.
-  struct Caster {
-    FloorArea area;
-    int cone;
-    float height;  // height of the piece's lowest point, metres
-  };
 
   /// Bounds of an area of the floor in the frame of the grid.
   FloorArea turned(const FloorArea& area) const;
@@ -60,7 +44,6 @@ class ShadowMask {
   float columns_per_metre_ = 0.0f;
   float rows_per_metre_ = 0.0f;
   std::vector<std::uint8_t> touched_;
-  std::vector<Caster> casters_;
 };
 
 }  // namespace mien::render

@@ -80,8 +80,6 @@ enum class Dimension : std::uint32_t {
   CornerSky,
   Lens,
   Time,        ///< first number only
-  LightLine,   ///< of a line shared by several samples (line_shadow.h): the sample from whose floor
-               ///< point it is seen, and the line's position on the first light
   FirstLight,  ///< one per light
   FirstFigure = 1u << 16  ///< one per figure, first number only: whether the figure is present
 };
@@ -136,19 +134,6 @@ class PixelSampler {
   /// `times` points.
   std::uint32_t index(int point, int times = 1) const {
     return index_of(point, static_cast<std::uint32_t>(times) * samples_);
-  }
-
-  /// Returns the index of the point that a group of `samples` samples of the pixel shares (the last
-  /// group may be smaller).
-  std::uint32_t index_of_group(int group, int samples) const {
-    const auto size = static_cast<std::uint32_t>(samples);
-    return index_of(group, (samples_ + size - 1) / size);
-  }
-
-  /// Returns the index of the point that `pixels` consecutive pixels on the Morton curve share;
-  /// `pixels` is a power of two.
-  std::uint32_t index_of_block(int pixels) const {
-    return place_ / static_cast<std::uint32_t>(pixels);
   }
 
   Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }

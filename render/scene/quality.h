@@ -14,9 +14,8 @@ enum class Background {
 /// Settings for the quality and cost of a picture. The same scene, camera and settings give the
 /// same bytes.
 ///
-/// A shaded sample of a solid casts one shadow ray per light. On the floor, lines across
-/// the lights (line_shadow.h) replace shadow rays where possible; samples share a line where
-/// penumbrae are wide.
+/// A shaded sample of a solid casts one shadow ray per light, as does one of the floor unless
+/// pixels share what is occluded there.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded sample that does not share
@@ -64,8 +63,8 @@ struct Quality {
 
   /// Whether rays that are known to hit nothing are traced, too; for tests of the culling. The
   /// picture takes longer, but is bit-identical if the set has no static solids, the rounded
-  /// 1 / samples_per_pixel, times samples_per_pixel, is 1, and all shadows on the floor are of
-  /// lines or none are shared.
+  /// 1 / samples_per_pixel, times samples_per_pixel, is 1, and no shadows on the floor are
+  /// shared.
   bool exhaustive = false;
 };
 

@@ -45,7 +45,7 @@ inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 inline constexpr BiasBound figure_sky_bias{0.03, 0.02, 0.0};
 
 /// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts and standard
-/// quality, shadows that are not line-sampled are blurred by 2 pixels.
+/// quality, shadows are blurred by 2 pixels.
 inline constexpr BiasBound floor_shadow_bias{0.02, 0.02, 0.0};
 
 /// Every quantity of which a picture is made. The model is that of the reference: Lambert surfaces
@@ -69,12 +69,10 @@ inline constexpr std::array contract{
                 "box filter over the pixel's footprint", "Contract.HoldsPerBlock"},
     ContractRow{"static solids", Accuracy::unbiased, no_bias, "rendered once per camera",
                 "StaticBackground.GivesTheMeanThatTracingAllOfItEachTimeGives"},
-    ContractRow{
-        "shadows of the area lights on the floor", Accuracy::biased, floor_shadow_bias,
-        "line samples, shared by up to 2 x 2 pixels in wide penumbrae; else shadow rays, in "
-        "drafts and standard quality the mean over neighbouring samples",
-        "Contract.HoldsPerBlock (unshared), "
-        "SharedOcclusion.KeepsTheMeansOfTheFloorsShadows"},
+    ContractRow{"shadows of the area lights on the floor", Accuracy::biased, floor_shadow_bias,
+                "shadow rays, in drafts and standard quality the mean over neighbouring samples",
+                "Contract.HoldsPerBlock (unshared), "
+                "SharedOcclusion.KeepsTheMeansOfTheFloorsShadows"},
     ContractRow{"occlusion of the sky on the floor", Accuracy::biased, floor_sky_bias,
                 "interpolated between points of a grid",
                 "FloorSky.IsSmoothBesideFeetAndNotFarFromWhatItIs"},

@@ -5,7 +5,6 @@
 
 #include <tbb/parallel_pipeline.h>
 
-#include "render/light/line_shadow.h"
 #include "render/tracer/occlusion_rays.h"
 
 namespace mien::render {
@@ -20,25 +19,6 @@ std::vector<float> opacities_of(const Scene& scene) {
   std::vector<float> opacities;
   for (const Figure& figure : scene.figures) opacities.push_back(figure.opacity);
   return opacities;
-}
-
-/// Bit i: shadows of light i on the floor are computed by line samples (line_shadow.h).
-std::uint32_t lights_for_lines(const std::vector<AreaLight>& lights, const Shapes& shapes,
-                               bool set_has_solids) {
-  if (set_has_solids || !shapes.triangles.empty() || shapes.move() || !shapes.all_present) return 0;
-  std::uint32_t found = 0;
-  for (std::size_t k = 0; k < lights.size(); ++k)
-    if (has_line_shadows(lights[k], shapes.cones)) found |= 1u << k;
-  return found;
-}
-
-std::vector<std::vector<int>> casters_of(const std::vector<AreaLight>& lights,
-                                         const std::vector<PreparedCone>& cones) {
-  std::vector<std::vector<int>> casters(lights.size());
-  for (std::size_t k = 0; k < lights.size(); ++k)
-    for (std::size_t cone = 0; cone < cones.size(); ++cone)
-      if (!is_behind(lights[k], cones[cone])) casters[k].push_back(static_cast<int>(cone));
-  return casters;
 }
 
 }  // namespace
@@ -199,11 +179,8 @@ PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Qu
                               Shapes shapes, const Solids& solids) {
   const Shapes nothing;
   const Shapes& above_floor = scene.has_ground ? shapes : nothing;
-  const std::uint32_t line_lights =
-      lights_for_lines(scene.lights, shapes, static_solids != nullptr);
   std::vector<ShadowMask> shadow_masks;
   for (const AreaLight& light : scene.lights) shadow_masks.emplace_back(light, above_floor);
-  std::vector<std::vector<int>> casters = casters_of(scene.lights, shapes.cones);
   const BoundingSphere bounds = bounding_sphere(shapes);
   PixelMask pixel_mask(camera, shapes, 0.5f * quality.filter_width);
   // Behind static solids the sky changes too fast for interpolation.
@@ -225,8 +202,6 @@ PreparedScene Engine::prepare(const Scene& scene, const Camera& camera, const Qu
           .bounds = bounds,
           .pixel_mask = std::move(pixel_mask),
           .shadow_masks = std::move(shadow_masks),
-          .line_lights = line_lights,
-          .casters = std::move(casters),
           .floor_sky = std::move(floor_sky),
           .shared_occlusion = {},
           .opacities = opacities_of(scene)};

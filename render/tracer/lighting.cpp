@@ -227,7 +227,7 @@ void Lighting::finish() {
   for (const Group& group : groups_) {
     const auto subtract = [&](Pixel& pixel, const Color& light) {
       pixel.figure -=
-          light * prepared_.shared_occlusion.at(pixel.x, pixel.y, group.part, group.normals);
+          light * prepared_.shared_occlusion.on_figure(pixel.x, pixel.y, group.part, group.normals);
     };
     subtract(*group.pixel, group.light);
     if (group.partner != nullptr) subtract(*group.partner, group.partner_light);

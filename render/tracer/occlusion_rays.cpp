@@ -9,7 +9,6 @@
 #include "render/light/light.h"
 #include "render/math/constants.h"
 #include "render/tracer/camera_rays.h"
-#include "render/tracer/floor_lines.h"
 #include "render/tracer/pixel_plan.h"
 #include "render/tracer/samples.h"
 
@@ -26,13 +25,9 @@ class OcclusionFinder {
       : prepared_(prepared),
         shared_(shared),
         everywhere_(prepared.is_per_sample() || prepared.quality.exhaustive),
-        planner_(prepared),
-        lines_(prepared) {
-    // Pixels that render their own background cast rays for their floor.
-    if (prepared.quality.floor_sharing_pixels == 0 || prepared.is_per_sample()) return;
-    for (std::size_t k = 0; k < prepared.scene.lights.size(); ++k) floor_lights_ |= 1u << k;
-    floor_lights_ &= ~prepared.line_lights;
-  }
+        // Pixels that render their own background cast rays for their floor.
+        of_floor_(prepared.quality.floor_sharing_pixels > 0 && !prepared.is_per_sample()),
+        planner_(prepared) {}
 
   /// Finds what there is in a row of tiles, and hands it over.
   void find_in(const Tile& band);
@@ -62,10 +57,9 @@ class OcclusionFinder {
 
   const PreparedScene& prepared_;
   SharedOcclusion& shared_;
-  const bool everywhere_;           // any pixel may show the figure
-  std::uint32_t floor_lights_ = 0;  // whose shadows on the floor are shared
+  const bool everywhere_;  // any pixel may show the figure
+  const bool of_floor_;    // shadows on the floor are shared
   PixelPlanner planner_;
-  FloorLines lines_;  // the planner needs it
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
   RayPacket rays_;
@@ -75,30 +69,28 @@ class OcclusionFinder {
 };
 
 void OcclusionFinder::find_in(const Tile& band) {
-  // Plans are made for single tiles.
-  const int width = floor_lights_ != 0 ? tile_size : 4 * tile_size;
-  bool any = floor_lights_ != 0;
+  bool any = of_floor_;
   for (int y = band.y_begin; y < band.y_end && !any; ++y) any = may_show_figure(band, y);
   if (!any) return;
-  for (int x = band.x_begin; x < band.x_end; x += width)
-    find({x, std::min(x + width, band.x_end), band.y_begin, band.y_end});
+  for (int x = band.x_begin; x < band.x_end; x += tile_size)
+    find({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end});
+  cast();
   for (int y = band.y_begin; y < band.y_end; ++y)
     shared_.set_row(y, rows_[static_cast<std::size_t>(y % tile_size)]);
 }
 
 void OcclusionFinder::find(const Tile& tile) {
-  if (floor_lights_ != 0) planner_.begin_tile(tile, lines_);
+  if (of_floor_) planner_.begin_tile(tile);
+  const bool shadowed = of_floor_ && planner_.may_show_shadow();
   for (int y = tile.y_begin; y < tile.y_end; ++y) {
-    if (floor_lights_ == 0 && !may_show_figure(tile, y)) continue;
-    const PixelPlan* plans = floor_lights_ != 0 ? planner_.plan_row(y).data() : nullptr;
+    if (!shadowed && !may_show_figure(tile, y)) continue;
+    const PixelPlan* plans = shadowed ? planner_.plan_row(y).data() : nullptr;
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      const std::uint32_t lights =
-          plans != nullptr ? plans[x - tile.x_begin].shadow_lights & floor_lights_ : 0;
+      const std::uint32_t lights = shadowed ? plans[x - tile.x_begin].shadow_lights : 0;
       if (lights != 0 || everywhere_ || prepared_.pixel_mask.may_intersect(x, y))
         add_pixel(x, y, lights);
     }
   }
-  cast();
 }
 
 void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {

@@ -190,7 +190,7 @@ constexpr int run_pixels = 8;  // planned at once
 
 }  // namespace
 
-void PixelPlanner::begin_tile(const Tile& tile, FloorLines& lines) {
+void PixelPlanner::begin_tile(const Tile& tile) {
   tile_ = tile;
   const bool whole = prepared_.quality.exhaustive;
   const float margin = prepared_.filter.half_width();
@@ -206,11 +206,8 @@ void PixelPlanner::begin_tile(const Tile& tile, FloorLines& lines) {
     tile_lights_ |= 1u << i;
     shaded_everywhere_ &= floor.area && mask.may_shade_all(*floor.area);
   }
-  lines.begin_tile(tile, tile_lights_, floor.area);
-  // Pixels that share lines may use a neighbour's.
-  const float reach = margin + static_cast<float>(lines.block_width() - 1);
   floor_reach_.reset();
-  if (tile_lights_ != 0 && floor.area) floor_reach_ = floor_reach(prepared_.camera, floor, reach);
+  if (tile_lights_ != 0 && floor.area) floor_reach_ = floor_reach(prepared_.camera, floor, margin);
   figure_rows_ = 0;
   for (int y = tile.y_begin; y < tile.y_end; ++y)
     if (whole || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y))

@@ -7,7 +7,6 @@
 
 #include "render/geometry/shadow_mask.h"
 #include "render/light/floor.h"
-#include "render/tracer/floor_lines.h"
 #include "render/tracer/prepared_scene.h"
 #include "render/tracer/samples.h"
 #include "render/tracer/tile.h"
@@ -36,8 +35,10 @@ class PixelPlanner {
         per_sample_(prepared.is_per_sample()),
         cell_(&prepared.floor_sky.cell_at(0.0f, 0.0f)) {}
 
-  /// Begins a tile, and its line shadows.
-  void begin_tile(const Tile& tile, FloorLines& lines);
+  void begin_tile(const Tile& tile);
+
+  /// Whether the figure may occlude a light from some of the tile's floor.
+  bool may_show_shadow() const { return tile_lights_ != 0; }
 
   /// Whether the tile shows neither the figure nor its shadow from a light; always false if the set
   /// has static solids or samples render their own background.

@@ -36,12 +36,10 @@ struct PreparedScene {
   PixelMask pixel_mask;              ///< where primary rays may hit the figure
   /// Per light: where the figure may occlude it from the floor.
   std::vector<ShadowMask> shadow_masks;
-  std::uint32_t line_lights;  ///< bit i: shadows of light i on the floor are line-sampled
-  std::vector<std::vector<int>> casters;  ///< per light: the round cones that are not behind it
-  FloorSky floor_sky;                     ///< the figure's occlusion of the sky on the floor
-  SharedOcclusion shared_occlusion;       ///< what pixels share of the figure's occlusion
-  std::vector<float> opacities;           ///< opacities of the figures
-  const Shapes* next_shapes = nullptr;    ///< shapes in the next picture, for motion vectors
+  FloorSky floor_sky;                   ///< the figure's occlusion of the sky on the floor
+  SharedOcclusion shared_occlusion;     ///< what pixels share of the figure's occlusion
+  std::vector<float> opacities;         ///< opacities of the figures
+  const Shapes* next_shapes = nullptr;  ///< shapes in the next picture, for motion vectors
 
   /// Whether the samples of two pixels fit into a batch of eight.
   bool pairs_fit() const { return 2 * quality.samples_per_pixel <= static_cast<int>(lanes); }

@@ -28,6 +28,7 @@ struct Pixel {
   PixelKind kind = PixelKind::background;
   PixelSampler sampler;
   std::uint32_t shadow_lights = 0;     ///< bit i: the figure may occlude light i from its floor
+  Color floor_shadow = Color::Zero();  ///< light that its floor lacks, if that is shared
   SkyRays floor_sky;                   ///< rays by which its floor samples the occluded sky
   Color background = Color::Zero();    ///< radiance of the static background
   Color floor_albedo = Color::Zero();  ///< of the static background; black where it has no floor
@@ -37,11 +38,11 @@ struct Pixel {
   // Sums over the samples. Light that is known at once and light found by rays later are summed
   // separately, so that each sum is always taken in the same order.
   Color known_figure = Color::Zero();  ///< light from the figure
-  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own set
+  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own
+                                       ///< set, and shadows that are shared
   Color figure = Color::Zero();        ///< light of the figure that shadow rays add or subtract,
                                        ///< and occlusion that is shared
-  Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract, and
-                                       ///< shadows that are line-sampled or shared
+  Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract
 };
 
 /// Whether two pixels are the same, or a pair: columns 2k and 2k + 1 of a row.

@@ -17,8 +17,28 @@ float sum_of(const LaneFloats& values) {
 }  // namespace
 
 void SharedOcclusion::set_row(int number, std::span<const Found> found) {
-  Row& row = rows_[static_cast<std::size_t>(number)];
-  if (found.empty()) return;
+  const auto place = static_cast<std::size_t>(number);
+  std::vector<Found> of_floor, of_figure;
+  for (const Found& one : found) (one.part == floor_part ? of_floor : of_figure).push_back(one);
+  if (!of_floor.empty()) set_floor_row(of_floor, floor_rows_[place]);
+  if (!of_figure.empty()) set_figure_row(of_figure, rows_[place]);
+}
+
+void SharedOcclusion::set_floor_row(std::span<const Found> found, FloorRow& row) {
+  row.begin = found.front().x;
+  row.columns = found.back().x - row.begin + 1;
+  for (auto* list : {&row.red, &row.green, &row.blue, &row.samples})
+    list->resize(static_cast<std::size_t>(row.columns) + lanes);
+  for (const Found& one : found) {
+    const auto column = static_cast<std::size_t>(one.x - row.begin);
+    row.red[column] += one.occluded[0];
+    row.green[column] += one.occluded[1];
+    row.blue[column] += one.occluded[2];
+    row.samples[column] += 1.0f;
+  }
+}
+
+void SharedOcclusion::set_figure_row(std::span<const Found> found, Row& row) {
   const std::size_t size = found.size() + lanes;  // at most
   row.values.resize(Row::lists * size);
   row.parts.resize(size);
@@ -83,8 +103,41 @@ void SharedOcclusion::set_row(int number, std::span<const Found> found) {
   }
 }
 
-MIEN_FOR_AVX2_TOO Color SharedOcclusion::at(int x, int y, int part, const Vec3& normal) const {
-  const int reach = part == floor_part ? floor_reach_ : figure_reach_;
+std::optional<Color> SharedOcclusion::mean_of(const Sums& sums) {
+  const float samples = sum_of(sums.samples);
+  if (!(samples > 0.0f)) return std::nullopt;
+  return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
+}
+
+MIEN_FOR_AVX2_TOO Color SharedOcclusion::on_floor(int x, int y) const {
+  Sums sums;
+  const int last_row = std::min(y + floor_reach_, static_cast<int>(floor_rows_.size()) - 1);
+  for (int number = std::max(y - floor_reach_, 0); number <= last_row; ++number) {
+    const FloorRow& row = floor_rows_[static_cast<std::size_t>(number)];
+    const int begin = std::max(x - floor_reach_ - row.begin, 0);
+    const int end = std::min(x + floor_reach_ + 1 - row.begin, row.columns);
+    for (int column = begin; column < end; column += static_cast<int>(lanes)) {
+      const float *red = &row.red[static_cast<std::size_t>(column)],
+                  *green = &row.green[static_cast<std::size_t>(column)],
+                  *blue = &row.blue[static_cast<std::size_t>(column)],
+                  *samples = &row.samples[static_cast<std::size_t>(column)];
+      const int count = end - column;
+#pragma omp simd
+      for (int i = 0; i < static_cast<int>(lanes); ++i) {
+        const float weight = i < count ? 1.0f : 0.0f;
+        sums.red.lane[i] += weight * red[i];
+        sums.green.lane[i] += weight * green[i];
+        sums.blue.lane[i] += weight * blue[i];
+        sums.samples.lane[i] += weight * samples[i];
+      }
+    }
+  }
+  return mean_of(sums).value_or(Color::Zero());
+}
+
+MIEN_FOR_AVX2_TOO Color SharedOcclusion::on_figure(int x, int y, int part,
+                                                   const Vec3& normal) const {
+  const int reach = figure_reach_;
   const int last_row = std::min(y + reach, static_cast<int>(rows_.size()) - 1);
   const auto mean = [&](const Vec3& direction, float offset) -> std::optional<Color> {
     Sums sums;
@@ -98,9 +151,7 @@ MIEN_FOR_AVX2_TOO Color SharedOcclusion::at(int x, int y, int part, const Vec3& 
       if (row.first[from] < row.first[to])
         add({row, row.first[from], row.first[to], part, direction, offset}, sums);
     }
-    const float samples = sum_of(sums.samples);
-    if (!(samples > 0.0f)) return std::nullopt;
-    return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
+    return mean_of(sums);
   };
   if (const auto alike = mean(normal.normalized(), -1.0f)) return *alike;
   return mean(Vec3::Zero(), 1.0f).value_or(Color::Zero());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,16 +38,21 @@ class SharedOcclusion {
   SharedOcclusion(int height, int figure_reach, int floor_reach)
       : figure_reach_(figure_reach),
         floor_reach_(floor_reach),
-        rows_(static_cast<std::size_t>(height)) {}
+        rows_(static_cast<std::size_t>(height)),
+        floor_rows_(rows_.size()) {}
 
   /// Sets what was found in a row, pixel by pixel from the left. Several threads may set different
   /// rows.
   void set_row(int number, std::span<const Found> found);
 
+  /// Returns the light that is occluded in a pixel from the floor, as for Found; black if no floor
+  /// was found nearby.
+  Color on_floor(int x, int y) const;
+
   /// Returns the light that is occluded in a pixel from surfaces of a part with about this normal
   /// (need not be of length 1), as for Found. If the part was found nearby with other normals only,
   /// these count; black if it was not found.
-  Color at(int x, int y, int part, const Vec3& normal) const;
+  Color on_figure(int x, int y, int part, const Vec3& normal) const;
 
  private:
   /// A list per quantity, of entries from left to right: sums over what was found for one part in a
@@ -62,6 +68,13 @@ class SharedOcclusion {
     const float* at(List list, int entry) const {
       return &values[list * parts.size() + static_cast<std::size_t>(entry)];
     }
+  };
+  /// What was found on the floor, column by column from `begin` on: sums over the samples of a
+  /// pixel. Eight more values follow each list.
+  struct FloorRow {
+    int begin = 0;
+    int columns = 0;
+    std::vector<float> red, green, blue, samples;
   };
   /// Entries of a row that are near a place, and what they must show.
   struct Neighbours {
@@ -79,10 +92,14 @@ class SharedOcclusion {
   };
 
   static void add(const Neighbours& near, Sums& sums);
+  static std::optional<Color> mean_of(const Sums& sums);
+  static void set_figure_row(std::span<const Found> found, Row& row);
+  static void set_floor_row(std::span<const Found> found, FloorRow& row);
 
   int figure_reach_ = 0;  // pixels
   int floor_reach_ = 0;
   std::vector<Row> rows_;
+  std::vector<FloorRow> floor_rows_;
 };
 
 }  // namespace mien::render

@@ -8,7 +8,6 @@
 #include "render/image/luminance.h"
 #include "render/light/unshadowed_background.h"
 #include "render/tracer/camera_rays.h"
-#include "render/tracer/floor_lines.h"
 #include "render/tracer/lighting.h"
 #include "render/tracer/pixel_plan.h"
 #include "render/tracer/reference.h"
@@ -21,8 +20,7 @@ constexpr int piece_width = 16 * tile_size;
 
 /// Renders tiles. Each goes through these steps: its background is written, if it is shown and
 /// known beforehand; camera rays of the pixels that may show a solid are traced; the points that
-/// they show are lit by shadow rays, and the floor's shadows are computed; the sums of all samples
-/// are written.
+/// they show are lit by shadow rays; the sums of all samples are written.
 class TileRenderer {
  public:
   explicit TileRenderer(const PreparedScene& prepared)
@@ -33,9 +31,9 @@ class TileRenderer {
                            !prepared.is_per_sample() && !prepared.quality.exhaustive),
         in_pairs_(prepared.quality.shades_pixel_pairs && prepared.closing_solids == nullptr &&
                   samples_ <= prepared.quality.samples_shaded_together && prepared.pairs_fit()),
+        shares_floor_(prepared.quality.floor_sharing_pixels > 0),
         planner_(prepared),
         unshadowed_(prepared.scene, prepared.camera),
-        lines_(prepared),
         lighting_(prepared) {}
 
   void draw(const Tile& part, const Canvas& canvas);
@@ -57,20 +55,20 @@ class TileRenderer {
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
   void light();
-  void resolve(const Tile& tile, const Canvas& canvas);
+  void resolve(const Canvas& canvas);
   void write(int x, int y, const Color& figure, const Color& background, float covered,
              const Canvas& canvas) const;
-  Color floor_shadow(int x, int y) const {
-    return Color::Zero() - lines_.occluded(x, y) * prepared_.background.floor_albedo(x, y);
+  Color shared_floor_shadow(int x, int y) const {
+    return prepared_.background.floor_albedo(x, y) * prepared_.shared_occlusion.on_floor(x, y);
   }
 
   const PreparedScene& prepared_;
   const int samples_;  // per pixel
   const bool writes_background_;
-  const bool in_pairs_;  // neighbours are shaded together
+  const bool in_pairs_;      // neighbours are shaded together
+  const bool shares_floor_;  // shadows on the floor are shared
   PixelPlanner planner_;
   const UnshadowedBackground unshadowed_;
-  FloorLines lines_;
   Lighting lighting_;
   std::vector<std::uint8_t> is_known_;  // per tile of a band: its background is written, complete
   std::vector<Pixel> pixels_;           // of the tile; must not move
@@ -101,7 +99,7 @@ void TileRenderer::draw_band(const Tile& band, const Canvas& canvas) {
 }
 
 void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canvas) {
-  planner_.begin_tile(tile, lines_);
+  planner_.begin_tile(tile);
   if (is_known && planner_.shows_background_only()) return;
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
@@ -113,7 +111,7 @@ void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canv
     light();
   }
   lighting_.finish();
-  resolve(tile, canvas);
+  resolve(canvas);
 }
 
 void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas) {
@@ -128,9 +126,8 @@ void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& ca
       if (plan.shows_background_only() && background.complete) {
         write(x, y, Color::Zero(), background.radiance, 0.0f, canvas);
       } else if (plan.kind == PixelKind::background && background.complete && writes_background_ &&
-                 (plan.shadow_lights & ~lines_.lights()) == 0) {
-        if (!is_known) write(x, y, Color::Zero(), background.radiance, 0.0f, canvas);
-        lines_.add(x, y, plan.shadow_lights, 0, samples_);
+                 shares_floor_) {
+        write(x, y, Color::Zero(), background.radiance - shared_floor_shadow(x, y), 0.0f, canvas);
       } else {
         add_pixel(x, y, plan, background);
       }
@@ -145,9 +142,10 @@ void TileRenderer::add_pixel(int x, int y, const PixelPlan& plan,
   pixel.y = y;
   pixel.kind = plan.kind;
   pixel.sampler = prepared_.sampler.for_pixel(x, y);
-  pixel.shadow_lights = plan.shadow_lights;
+  pixel.shadow_lights = shares_floor_ ? 0 : plan.shadow_lights;
   pixel.background = background.radiance;
   pixel.floor_albedo = prepared_.background.floor_albedo(x, y);
+  if (shares_floor_ && plan.shadow_lights != 0) pixel.floor_shadow = shared_floor_shadow(x, y);
   if (!background.complete && plan.kind != PixelKind::per_sample)
     pixel.floor_sky = planner_.floor_sky_rays(x, y);
   if (plan.kind != PixelKind::background) {
@@ -155,10 +153,8 @@ void TileRenderer::add_pixel(int x, int y, const PixelPlan& plan,
     return;
   }
   pixel.background_samples = samples_;
-  if ((plan.shadow_lights & lines_.lights()) != 0)
-    lines_.add(x, y, plan.shadow_lights, 0, samples_);
-  const bool by_rays = (plan.shadow_lights & ~lines_.lights()) != 0;
-  const int needed = by_rays ? samples_ : pixel.floor_sky.rays;
+  pixel.known_set = -static_cast<float>(samples_) * pixel.floor_shadow;
+  const int needed = pixel.shadow_lights != 0 ? samples_ : pixel.floor_sky.rays;
   for (int i = 0; i < needed; ++i) floor_samples_.push_back(sample_at(prepared_, pixel, i));
 }
 
@@ -264,12 +260,10 @@ void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, i
 
 // Adds a point of the floor of the static background.
 void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
-  const Pixel& pixel = *sample.pixel;
-  const std::uint32_t by_lines = pixel.shadow_lights & lines_.lights();
-  if (by_lines != 0 && pixel.kind == PixelKind::traced)
-    lines_.add(pixel.x, pixel.y, by_lines, sample.index, 1);
+  Pixel& pixel = *sample.pixel;
+  if (pixel.kind == PixelKind::traced) pixel.known_set -= pixel.floor_shadow;
   ShadingPoint floor{sample, floor_surface(point, pixel.floor_albedo)};
-  floor.lights = pixel.shadow_lights & ~by_lines;
+  floor.lights = pixel.shadow_lights;
   floor.sky = pixel.floor_sky;
   if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
 }
@@ -310,22 +304,8 @@ void TileRenderer::light() {
   last_shape_ = -1;
 }
 
-void TileRenderer::resolve(const Tile& tile, const Canvas& canvas) {
-  lines_.resolve();
-  for (Pixel& pixel : pixels_) {
-    if (!lines_.has(pixel.x, pixel.y)) continue;
-    pixel.set += floor_shadow(pixel.x, pixel.y);
-    lines_.remove(pixel.x, pixel.y);
-  }
-  const auto samples = static_cast<float>(samples_);
-  const float share = 1.0f / samples;
-  for (int y = tile.y_begin; y < tile.y_end && !lines_.is_empty(); ++y) {
-    for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      if (!lines_.has(x, y)) continue;
-      Eigen::Map<Color> light(canvas.color(x, y));
-      light = (share * samples) * light + share * floor_shadow(x, y);
-    }
-  }
+void TileRenderer::resolve(const Canvas& canvas) {
+  const float share = 1.0f / static_cast<float>(samples_);
   for (const Pixel& pixel : pixels_) {
     const Color background =
         (share * static_cast<float>(pixel.background_samples)) * pixel.background +

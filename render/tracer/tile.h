@@ -41,12 +41,10 @@ float shadow_alpha(const Color& left, const Color& whole);
 ///
 /// The background (floor, backdrop and static solids) is known beforehand, except for pixels of
 /// PixelKind::per_sample. Primary rays are traced where they may hit the figure or static solids.
-/// Surfaces of the figure are lit by rays to the lights and to the sky; what they occlude from each
-/// other of the sky may be shared (shared_occlusion.h). Light that the figure
-/// keeps from reaching static solids and the floor is subtracted. On static solids it is found by
-/// rays; on the floor, light from area lights by line sampling (line_shadow.h) or, where that does
-/// not apply, by shadow rays, which may be shared, too, and light from the sky by interpolation
-/// (floor_sky.h) or, where that is too coarse, by rays.
+/// Surfaces of the figure are lit by rays to the lights and to the sky. Light that the figure keeps
+/// from reaching static solids and the floor is subtracted; shadow rays find it, for the sky on the
+/// floor at points of a grid (floor_sky.h) or, where that is too coarse, for each pixel. Pixels may
+/// share what such rays find (shared_occlusion.h).
 void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
 
 /// As `draw`, but in small pieces, and only for pictures without alpha (Background::shown): `drawn`

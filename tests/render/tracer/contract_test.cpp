@@ -112,10 +112,10 @@ std::vector<Case> cases() {
       {{-0.8f, 0.2f, -0.8f}, {0.9f, 0.2f, -0.7f}, 0.2f, 0.15f, 0},
       {{-0.4f, 0.2f, 0.1f}, {-0.4f, 1.2f, 0.1f}, 0.2f, 0.2f, 0}};
   all.push_back({"static solid", walled});
-  View crossed = standing;  // the head crosses the plane of one light, whose shadows are not lines
+  View crossed = standing;  // the head crosses the plane of one light
   crossed.scene.lights[1] =
       softbox({-1.2f, 1.65f, 0.4f}, {-1.2f, 0.0f, 0.4f}, 0.4f, 0.4f, Color::Constant(6.0f));
-  all.push_back({"lines and rays", crossed});
+  all.push_back({"light beside the head", crossed});
   return all;
 }
 

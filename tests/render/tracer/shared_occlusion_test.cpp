@@ -37,17 +37,15 @@ SharedOcclusion column_of(int part, int dark) {
 
 TEST(SharedOcclusion, IsTheMeanWithinItsReach) {
   const SharedOcclusion figure = column_of(3, 2);
-  const auto at = [&](int y) { return figure.at(4, y, 3, Vec3::UnitY())[1]; };
+  const auto at = [&](int y) { return figure.on_figure(4, y, 3, Vec3::UnitY())[1]; };
   EXPECT_FLOAT_EQ(at(0), 1.0f / 4.0f) << "rows 0 to 3";
   EXPECT_FLOAT_EQ(at(2), 1.0f / 6.0f) << "rows 0 to 5";
   EXPECT_FLOAT_EQ(at(5), 1.0f / 7.0f) << "rows 2 to 8";
   EXPECT_EQ(at(6), 0.0f);
-  EXPECT_FLOAT_EQ(figure.at(7, 2, 3, Vec3::UnitY())[1], 1.0f / 6.0f) << "3 columns away";
-  EXPECT_EQ(figure.at(8, 2, 3, Vec3::UnitY())[1], 0.0f) << "4 columns away";
+  EXPECT_FLOAT_EQ(figure.on_figure(7, 2, 3, Vec3::UnitY())[1], 1.0f / 6.0f) << "3 columns away";
+  EXPECT_EQ(figure.on_figure(8, 2, 3, Vec3::UnitY())[1], 0.0f) << "4 columns away";
   const SharedOcclusion floor = column_of(SharedOcclusion::floor_part, 2);
-  const auto on_floor = [&](int x, int y) {
-    return floor.at(x, y, SharedOcclusion::floor_part, Vec3::UnitY())[1];
-  };
+  const auto on_floor = [&](int x, int y) { return floor.on_floor(x, y)[1]; };
   EXPECT_FLOAT_EQ(on_floor(4, 4), 1.0f / 5.0f);
   EXPECT_EQ(on_floor(4, 5), 0.0f);
   EXPECT_FLOAT_EQ(on_floor(2, 2), 1.0f / 5.0f);
@@ -56,10 +54,10 @@ TEST(SharedOcclusion, IsTheMeanWithinItsReach) {
 
 TEST(SharedOcclusion, IsBlackWhereNothingWasFound) {
   const SharedOcclusion nothing;
-  EXPECT_TRUE((nothing.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
+  EXPECT_TRUE((nothing.on_figure(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
   SharedOcclusion shared = sharing_rows(4);
   shared.set_row(2, {});
-  EXPECT_TRUE((shared.at(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
+  EXPECT_TRUE((shared.on_figure(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
 }
 
 TEST(SharedOcclusion, IsOfOneSurface) {
@@ -67,11 +65,12 @@ TEST(SharedOcclusion, IsOfOneSurface) {
   shared.set_row(0, {{found(0, 3, Vec3::UnitZ(), 1.0f)}});
   shared.set_row(1, {{found(0, 4, Vec3::UnitZ(), 0.0f)}});
   shared.set_row(2, {{found(0, 3, Vec3::UnitX(), 0.25f)}});
-  EXPECT_FLOAT_EQ(shared.at(0, 0, 3, Vec3::UnitZ())[0], 1.0f);
-  EXPECT_EQ(shared.at(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
-  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
-  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, 5.0f * Vec3::UnitX())[0], 0.25f) << "of any length";
-  EXPECT_FLOAT_EQ(shared.at(0, 2, 3, -Vec3::UnitX())[0], 0.625f) << "no such side: the mean of all";
+  EXPECT_FLOAT_EQ(shared.on_figure(0, 0, 3, Vec3::UnitZ())[0], 1.0f);
+  EXPECT_EQ(shared.on_figure(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
+  EXPECT_FLOAT_EQ(shared.on_figure(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
+  EXPECT_FLOAT_EQ(shared.on_figure(0, 2, 3, 5.0f * Vec3::UnitX())[0], 0.25f) << "of any length";
+  EXPECT_FLOAT_EQ(shared.on_figure(0, 2, 3, -Vec3::UnitX())[0], 0.625f)
+      << "no such side: the mean of all";
 }
 
 // Against the definition, for pixels whose samples show several parts by turns.
@@ -79,7 +78,8 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
   constexpr int width = 40, height = 12;
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-  const auto any_normal = [&] {
+  const auto any_normal = [&](int part) -> Vec3 {
+    if (part == SharedOcclusion::floor_part) return Vec3::UnitY();
     return Vec3(unit(random) - 0.5f, unit(random) - 0.5f, 1.0f).normalized();
   };
   /// All samples of a pixel that show a part.
@@ -96,7 +96,7 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
       for (int samples = static_cast<int>(8.0f * unit(random)) - 3; samples > 0; --samples) {
         const int part = static_cast<int>(3.0f * unit(random)) - 1;
         const SharedOcclusion::Found one{
-            x, part, any_normal(), {unit(random), unit(random), unit(random)}};
+            x, part, any_normal(part), {unit(random), unit(random), unit(random)}};
         row.push_back(one);
         Group& group = groups[{y, x, part}];
         group.normal += one.normal;
@@ -109,7 +109,7 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (int part = -1; part < 2; ++part) {
-        const Vec3 normal = any_normal();
+        const Vec3 normal = any_normal(part);
         const int reach = part == SharedOcclusion::floor_part ? floor_reach : figure_reach;
         // By normals, and of all normals alike.
         Color sum = Color::Zero(), all = Color::Zero();
@@ -126,8 +126,10 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
         const Color expected = weights > 0.0f   ? Color(sum / weights)
                                : samples > 0.0f ? Color(all / samples)
                                                 : Color(Color::Zero());
-        EXPECT_LT((shared.at(x, y, part, normal) - expected).abs().maxCoeff(), 1e-5f)
-            << x << ' ' << y << ' ' << part;
+        const Color found = part == SharedOcclusion::floor_part
+                                ? shared.on_floor(x, y)
+                                : shared.on_figure(x, y, part, normal);
+        EXPECT_LT((found - expected).abs().maxCoeff(), 1e-5f) << x << ' ' << y << ' ' << part;
       }
     }
   }

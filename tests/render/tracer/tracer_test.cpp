@@ -118,14 +118,14 @@ TEST(Tracer, GivesTheSamePictureWhenItTracesTheRaysThatMeetNothingToo) {
   for (unsigned seed = 0; seed < trials; ++seed) {
     const Scene scene = random_figure(seed);
     const Camera camera = random_view(seed);
-    Quality quality{.samples_per_pixel = 5, .seed = seed};
+    Quality quality{.samples_per_pixel = 5, .floor_sharing_pixels = 0, .seed = seed};
     const Framebuffer quick = tracer.trace(scene, camera, quality);
     quality.exhaustive = true;
     EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
   }
 }
 
-// Where shadows on the floor are found by rays, in more samples than go into a batch.
+// In more samples than go into a batch.
 TEST(Tracer, GivesTheSameShadowsByRaysWhenItTracesTheRaysThatMeetNothingToo) {
   Tracer tracer;
   for (unsigned seed = 0; seed < 2 * trials; ++seed) {
@@ -136,7 +136,7 @@ TEST(Tracer, GivesTheSameShadowsByRaysWhenItTracesTheRaysThatMeetNothingToo) {
         softbox({1.0f, 3.0f, -2.0f}, Vec3::Zero(), 1.0f, 1.0f, Color::Constant(5.0f)));
     const Camera camera = random_view(seed);
     for (const int samples : {5, 7, 16}) {
-      Quality quality{.samples_per_pixel = samples, .seed = seed};
+      Quality quality{.samples_per_pixel = samples, .floor_sharing_pixels = 0, .seed = seed};
       const Framebuffer quick = tracer.trace(scene, camera, quality);
       quality.exhaustive = true;
       EXPECT_EQ(tracer.trace(scene, camera, quality), quick) << "seed " << seed;
@@ -163,13 +163,14 @@ TEST(Tracer, ShowsTheNearerOfFigureAndStaticSolid) {
   }
 }
 
-// Where samples and neighbours share what they ask.
+// Where samples and neighbours share light.
 TEST(Tracer, GivesTheSameDraftWhenItTracesTheRaysThatMeetNothingToo) {
   Tracer tracer;
   for (unsigned seed = 0; seed < trials; ++seed) {
     const Scene scene = random_figure(seed);
     const Camera camera = random_view(seed);
     Quality quality = draft_quality();
+    quality.floor_sharing_pixels = 0;
     quality.samples_per_pixel = 1 + static_cast<int>(seed % 2);
     quality.seed = seed;
     const Framebuffer quick = tracer.trace(scene, camera, quality);
@@ -202,8 +203,6 @@ Scene twigs(unsigned seed) {
 
 TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
   Tracer tracer;
-  // With two samples, up to 2 x 2 pixels share lines under the lights that are broad both ways,
-  // also at the picture's edge.
   for (const int samples : {1, 2, 3, 8}) {
     for (unsigned seed = 0; seed < 6; ++seed) {
       const Scene scene = twigs(seed);
@@ -212,7 +211,10 @@ TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
                           .vertical_field_of_view = 0.8f,
                           .width = 241,
                           .height = 161};
-      Quality quality{.samples_per_pixel = samples, .filter_width = 1.0f, .seed = seed};
+      Quality quality{.samples_per_pixel = samples,
+                      .floor_sharing_pixels = 0,
+                      .filter_width = 1.0f,
+                      .seed = seed};
       const Framebuffer quick = tracer.trace(scene, camera, quality);
       quality.exhaustive = true;
       EXPECT_EQ(tracer.trace(scene, camera, quality), quick)
@@ -221,8 +223,7 @@ TEST(Tracer, LosesNoShadowOfThinLimbsToItsShortcuts) {
   }
 }
 
-// Under a light that is broad one way, and both ways: the wider the half shadow the more pixels
-// share what they ask.
+// Under a light that is broad one way, and both ways.
 class FewSamples : public testing::TestWithParam<unsigned> {};
 
 TEST_P(FewSamples, DrawInTheMeanWhatManyShow) {
