@@ -141,11 +141,6 @@ class PixelSampler {
     return sample_point(this->index(index), seed(dimension, which));
   }
 
-  /// A fast, unstratified random number for one of the pixel's points.
-  float fast_random(int point) const {
-    return unit_float(mixed(seed_ ^ place_, index(point) + (1u << 31)));
-  }
-
   /// A random number for the pixel as a whole.
   float choice(Dimension dimension) const { return sample_point(place_, seed(dimension)).u; }
 

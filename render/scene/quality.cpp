@@ -7,7 +7,6 @@ Quality draft_quality() {
   quality.samples_per_pixel = 2;
   quality.sky_rays = 1;
   quality.samples_shaded_together = 2;
-  quality.shades_pixel_pairs = true;
   quality.sky_sharing_pixels = 3;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;

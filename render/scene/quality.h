@@ -23,11 +23,6 @@ struct Quality {
   /// has no effect if solids move during the picture (motion blur).
   int samples_shaded_together = 1;
 
-  /// Whether samples of two neighbouring pixels in a row are shaded together, too. Has an effect
-  /// only without motion blur, and if `samples_per_pixel` exceeds neither 4 nor
-  /// `samples_shaded_together`.
-  bool shades_pixel_pairs = false;
-
   /// Samples that show the same part of a figure share what they find occluded of the sky within so
   /// many pixels: less noise, but blurred. 0: each sample has its own.
   int sky_sharing_pixels = 2;

@@ -55,8 +55,7 @@ inline constexpr std::array contract{
     ContractRow{"edges of solids", Accuracy::unbiased, no_bias, "camera rays",
                 "Contract.HoldsPerBlock"},
     ContractRow{"light of the area lights on solids", Accuracy::unbiased, no_bias,
-                "shadow rays; in drafts shared by two neighbouring pixels",
-                "Contract.HoldsPerBlock"},
+                "shadow rays, in drafts one for both samples of a pixel", "Contract.HoldsPerBlock"},
     ContractRow{"light of the sky on solids", Accuracy::biased, figure_sky_bias,
                 "closed form, less what shadow rays find occluded, in drafts and standard quality "
                 "the mean over neighbouring samples of one surface",

@@ -13,17 +13,14 @@ bool is_black(const Surface& surface) {
   return (surface.albedo == 0.0f).all() && surface.material->specular_f0 == 0.0f;
 }
 
-/// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch, and
-/// so do those of a pair of pixels if they fit: so a pixel's light is always summed in the same
-/// order, whatever else is rendered.
+/// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch: so
+/// a pixel's light is always summed in the same order, whatever else is rendered.
 template <class Work>
-void for_batches(std::span<const ShadingPoint> points, bool in_pairs, const Work& work) {
+void for_batches(std::span<const ShadingPoint> points, const Work& work) {
   std::size_t count = 0;  // of the batch at the beginning of `points`
   while (count < points.size()) {
     std::size_t end = count + 1;
-    while (end < points.size() &&
-           stay_together(*points[count].sample.pixel, *points[end].sample.pixel, in_pairs))
-      ++end;
+    while (end < points.size() && points[count].sample.pixel == points[end].sample.pixel) ++end;
     if (end > lanes && count > 0) {
       work(points.first(count));
       points = points.subspan(count);
@@ -53,13 +50,11 @@ LaneVectors normals_of(std::span<const ShadingPoint> batch) {
 }  // namespace
 
 void Lighting::shade(std::span<const ShadingPoint> points, bool of_figure) {
-  for_batches(points, prepared_.pairs_fit(),
-              [&](std::span<const ShadingPoint> batch) { shade_batch(batch, of_figure); });
+  for_batches(points, [&](std::span<const ShadingPoint> batch) { shade_batch(batch, of_figure); });
 }
 
 void Lighting::subtract(std::span<const ShadingPoint> points, bool of_all) {
-  for_batches(points, prepared_.pairs_fit(),
-              [&](std::span<const ShadingPoint> batch) { subtract_batch(batch, of_all); });
+  for_batches(points, [&](std::span<const ShadingPoint> batch) { subtract_batch(batch, of_all); });
 }
 
 void Lighting::shade_batch(std::span<const ShadingPoint> batch, bool of_figure) {
@@ -133,11 +128,8 @@ void Lighting::add_to_group(const ShadingPoint& point, const Color& light) {
     number = groups_.size();
   }
   Group& group = groups_[number - 1];
-  group.normals += (sample.weight + sample.partner_weight) * point.surface.normal;
+  group.normals += sample.weight * point.surface.normal;
   group.light += sample.weight * light;
-  if (sample.partner == nullptr) return;
-  group.partner = sample.partner;
-  group.partner_light += sample.partner_weight * light;
 }
 
 void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) {
@@ -225,12 +217,9 @@ void Lighting::trace() {
 void Lighting::finish() {
   trace();
   for (const Group& group : groups_) {
-    const auto subtract = [&](Pixel& pixel, const Color& light) {
-      pixel.figure -=
-          light * prepared_.shared_occlusion.on_figure(pixel.x, pixel.y, group.part, group.normals);
-    };
-    subtract(*group.pixel, group.light);
-    if (group.partner != nullptr) subtract(*group.partner, group.partner_light);
+    Pixel& pixel = *group.pixel;
+    pixel.figure -= group.light * prepared_.shared_occlusion.on_figure(pixel.x, pixel.y, group.part,
+                                                                       group.normals);
   }
   groups_.clear();
 }

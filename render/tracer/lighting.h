@@ -47,10 +47,8 @@ class Lighting {
   struct Group {
     Pixel* pixel;
     int part;
-    Vec3 normals = Vec3::Zero();          // sum over the samples, by weight
-    Color light = Color::Zero();          // that they reflect of the unoccluded sky, the same
-    Pixel* partner = nullptr;             // a pixel that samples represent, too
-    Color partner_light = Color::Zero();  // sum over its samples
+    Vec3 normals = Vec3::Zero();  // sum over the samples, by weight
+    Color light = Color::Zero();  // that they reflect of the unoccluded sky, the same
   };
 
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);

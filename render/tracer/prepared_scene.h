@@ -41,9 +41,6 @@ struct PreparedScene {
   std::vector<float> opacities;         ///< opacities of the figures
   const Shapes* next_shapes = nullptr;  ///< shapes in the next picture, for motion vectors
 
-  /// Whether the samples of two pixels fit into a batch of eight.
-  bool pairs_fit() const { return 2 * quality.samples_per_pixel <= static_cast<int>(lanes); }
-
   /// Whether every sample renders its own background, because the camera moves or has an aperture.
   bool is_per_sample() const { return closing_camera || !camera.lens_right.isZero(); }
 };

@@ -45,11 +45,6 @@ struct Pixel {
   Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract
 };
 
-/// Whether two pixels are the same, or a pair: columns 2k and 2k + 1 of a row.
-inline bool stay_together(const Pixel& a, const Pixel& b, bool in_pairs) {
-  return &a == &b || (in_pairs && a.y == b.y && a.x / 2 == b.x / 2);
-}
-
 /// A camera ray of a pixel.
 struct Sample {
   Pixel* pixel = nullptr;
@@ -57,14 +52,11 @@ struct Sample {
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is present
   float weight = 1.0f;          ///< number of its pixel's samples that it represents
-  Pixel* partner = nullptr;     ///< another pixel, some of whose samples it represents
-  float partner_weight = 0.0f;  ///< number of the partner's samples that it represents
 };
 
-/// Adds a sample's light to one of the sums of its pixel, and of its partner.
+/// Adds a sample's light to one of the sums of its pixel.
 inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& light) {
   sample.pixel->*sum += sample.weight * light;
-  if (sample.partner != nullptr) sample.partner->*sum += sample.partner_weight * light;
 }
 
 /// A point that a sample shows and that is lit or shadowed.

@@ -29,8 +29,6 @@ class TileRenderer {
         // If every sample renders its own background, none is written before.
         writes_background_(prepared.quality.background == Background::shown &&
                            !prepared.is_per_sample() && !prepared.quality.exhaustive),
-        in_pairs_(prepared.quality.shades_pixel_pairs && prepared.closing_solids == nullptr &&
-                  samples_ <= prepared.quality.samples_shaded_together && prepared.pairs_fit()),
         shares_floor_(prepared.quality.floor_sharing_pixels > 0),
         planner_(prepared),
         unshadowed_(prepared.scene, prepared.camera),
@@ -49,8 +47,7 @@ class TileRenderer {
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
-  template <class SurfaceAt>
-  bool merge(const Sample& sample, const SurfaceAt& surface);
+  bool merge(const Sample& sample);
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
@@ -65,7 +62,6 @@ class TileRenderer {
   const PreparedScene& prepared_;
   const int samples_;  // per pixel
   const bool writes_background_;
-  const bool in_pairs_;      // neighbours are shaded together
   const bool shares_floor_;  // shadows on the floor are shared
   PixelPlanner planner_;
   const UnshadowedBackground unshadowed_;
@@ -166,7 +162,7 @@ void TileRenderer::trace() {
 }
 
 // Calls `work` with up to eight samples at a time, and lights the points that were found before
-// they outgrow the caches: between pixels that do not stay together.
+// they outgrow the caches: between pixels.
 template <class Work>
 void TileRenderer::for_eights(std::span<const Sample> samples, const Work& work) {
   constexpr std::size_t many = 256;
@@ -176,8 +172,7 @@ void TileRenderer::for_eights(std::span<const Sample> samples, const Work& work)
     work(samples.subspan(i, here));
     count += here;
     const std::size_t next = i + here;
-    if (count < many || next == samples.size() ||
-        stay_together(*samples[next - 1].pixel, *samples[next].pixel, prepared_.pairs_fit()))
+    if (count < many || next == samples.size() || samples[next - 1].pixel == samples[next].pixel)
       continue;
     light();
     count = 0;
@@ -216,32 +211,19 @@ void TileRenderer::trace_batch(std::span<const Sample> samples) {
 void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int ray,
                               const FirstHit& hit) {
   ++sample.pixel->covered;
-  const auto surface = [&] { return surface_at(prepared_, rays, ray, hit); };
-  if (hit.shape == last_shape_ && merge(sample, surface)) return;
+  if (hit.shape == last_shape_ && merge(sample)) return;
   last_shape_ = hit.shape;
-  figure_points_.push_back({sample, surface()});
+  figure_points_.push_back({sample, surface_at(prepared_, rays, ray, hit)});
 }
 
 // Lets the last point, of the same surface, represent this sample, too, if they may be shaded
-// together. Of a pair of pixels any sample may be the shaded one, with equal probability: otherwise
-// light would shift to the left.
-template <class SurfaceAt>
-bool TileRenderer::merge(const Sample& sample, const SurfaceAt& surface) {
+// together.
+bool TileRenderer::merge(const Sample& sample) {
   const int together = prepared_.quality.samples_shaded_together;
   if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
   Sample& last = figure_points_.back().sample;
-  if (last.pixel == sample.pixel) {
-    if (last.index / together != sample.index / together) return false;
-    last.weight += 1.0f;
-    return true;
-  }
-  const Pixel &pixel = *sample.pixel, &before = *last.pixel;
-  if (!in_pairs_ || pixel.y != before.y || pixel.x != before.x + 1 || pixel.x % 2 == 0)
-    return false;
-  last.partner = sample.pixel;
-  last.partner_weight += 1.0f;
-  if (pixel.sampler.fast_random(sample.index) * (last.weight + last.partner_weight) < 1.0f)
-    figure_points_.back().surface = surface();
+  if (last.pixel != sample.pixel || last.index / together != sample.index / together) return false;
+  last.weight += 1.0f;
   return true;
 }
 
