@@ -197,13 +197,4 @@ MIEN_FOR_AVX2_TOO void occlude_by_patch(const TrianglePatch& patch, const RayLan
   }
 }
 
-Barycentric barycentric(const Triangle& triangle, const Vec3& point) {
-  const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
-  const Vec3 normal = ab.cross(ac);
-  const float squared = normal.squaredNorm();
-  if (!(squared > 0.0f)) return {0.0f, 0.0f};
-  const Vec3 ap = point - triangle.a;
-  return {ap.cross(ac).dot(normal) / squared, ab.cross(ap).dot(normal) / squared};
-}
-
 }  // namespace mien::render

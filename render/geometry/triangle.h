@@ -86,6 +86,13 @@ struct Barycentric {
   float b;
   float c;
 };
-Barycentric barycentric(const Triangle& triangle, const Vec3& point);
+inline Barycentric barycentric(const Triangle& triangle, const Vec3& point) {
+  const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+  const Vec3 normal = ab.cross(ac);
+  const float squared = normal.squaredNorm();
+  if (!(squared > 0.0f)) return {0.0f, 0.0f};
+  const Vec3 ap = point - triangle.a;
+  return {ap.cross(ac).dot(normal) / squared, ab.cross(ap).dot(normal) / squared};
+}
 
 }  // namespace mien::render

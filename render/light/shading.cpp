@@ -52,6 +52,14 @@ Corners normals_of(const Mesh& mesh, const std::array<int, 3>& corners, float si
   return {normal(0), normal(1), normal(2)};
 }
 
+/// As std::floor, which is a call on machines without SSE 4.1.
+float floored(float x) {
+  constexpr float whole = 0x1p23f;  // from here on, all are whole numbers
+  if (!(std::abs(x) < whole)) return x;
+  const auto towards_zero = static_cast<float>(static_cast<int>(x));
+  return towards_zero > x ? towards_zero - 1.0f : towards_zero;
+}
+
 /// From a corner's tangent plane, if the point lies below it.
 Vec3 lifted(const Vec3& point, const Vec3& corner, const Vec3& normal) {
   return point - std::min(0.0f, (point - corner).dot(normal)) * normal;
@@ -182,9 +190,9 @@ Surface floor_surface(const Vec3& point, const Color& albedo) {
 }
 
 Color texel_at(const Texture& texture, float u, float v) {
-  const float x = (u - std::floor(u)) * static_cast<float>(texture.width) - 0.5f;
-  const float y = (v - std::floor(v)) * static_cast<float>(texture.height) - 0.5f;
-  const float left = std::floor(x), top = std::floor(y);
+  const float x = (u - floored(u)) * static_cast<float>(texture.width) - 0.5f;
+  const float y = (v - floored(v)) * static_cast<float>(texture.height) - 0.5f;
+  const float left = floored(x), top = floored(y);
   // Both neighbours lie at most one texel outside.
   const auto wrapped = [](float at, int size) {
     const int i = static_cast<int>(at);
