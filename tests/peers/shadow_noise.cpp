@@ -3,9 +3,9 @@
 //
 //   shadow_noise FRAMES REFERENCE [light|sky [FILE.png]]
 //
-// light: under their light alone, with shadow rays (a triangle hidden in a joint asks for them) and
-// with lines of the light. sky: under their sky alone, looked at from each pixel near the feet, and
-// from points between which it is interpolated.
+// light: under their light alone, with shadow rays of each pixel, and with fewer that neighbouring
+// pixels share. sky: under their sky alone, looked at from each pixel near the feet, and from points
+// between which it is interpolated.
 //
 // For each number of samples: processor seconds a frame, the RMS error of linear RGB against
 // REFERENCE samples where neither picture shows the figure, and the flicker, the RMS by which that
@@ -38,7 +38,7 @@ struct Subject {
   const char* ways[2];   ///< of finding what the figure hides of it
   render::Window shown;  ///< a part of `shadow`
 };
-constexpr Subject light{false, {"rays", "lines"}, {0, 120, 100, 90}};
+constexpr Subject light{false, {"own", "shared"}, {0, 120, 100, 90}};
 constexpr Subject sky{true, {"pixels", "points"}, {160, 128, 100, 90}};
 
 struct Sequence {
@@ -46,22 +46,13 @@ struct Sequence {
   double seconds = 0.0;  ///< a frame
 };
 
-render::Scene scene_at(const Subject& subject, int way, const peers::Walk& walk, int frame) {
+render::Scene scene_at(const Subject& subject, const peers::Walk& walk, int frame) {
   render::Scene scene = peers::scene_of(peers::joints_at(walk, frame));
   if (subject.sky) {
     scene.lights.clear();
-    return scene;
+  } else {
+    scene.sky.zenith = scene.sky.horizon = scene.sky.below = render::Color::Zero();
   }
-  scene.sky.zenith = scene.sky.horizon = scene.sky.below = render::Color::Zero();
-  if (way != 0) return scene;
-  const render::Vec3 inside = scene.solids.spheres.front().centre;
-  const float size = 0.2f * peers::joint_radius;
-  render::Mesh mesh;
-  mesh.positions = {inside, inside + size * render::Vec3::UnitX(),
-                    inside + size * render::Vec3::UnitZ()};
-  mesh.normals.assign(3, render::Vec3::UnitY());
-  mesh.triangles = {{0, 1, 2}};
-  scene.solids.meshes.push_back(mesh);
   return scene;
 }
 
@@ -71,11 +62,12 @@ Sequence drawn(const Subject& subject, int way, const peers::Walk& walk, int fra
   render::Camera camera = peers::camera_at(0, peers::View::standing);
   camera.window = shadow;
   if (subject.sky) quality.floor_sky_smooth = way != 0;
+  if (!subject.sky && way == 0) quality.floor_sharing_pixels = 0;
   Sequence sequence;
-  tracer.trace(scene_at(subject, way, walk, 0), camera, quality);  // the set is there
+  tracer.trace(scene_at(subject, walk, 0), camera, quality);  // the set is there
   const std::clock_t start = std::clock();
   for (int f = 0; f < frames; ++f)
-    sequence.frames.push_back(tracer.trace(scene_at(subject, way, walk, f), camera, quality));
+    sequence.frames.push_back(tracer.trace(scene_at(subject, walk, f), camera, quality));
   sequence.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / frames;
   return sequence;
 }
