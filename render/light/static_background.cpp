@@ -131,7 +131,6 @@ StaticBackground blank_background(int width, int height, const CameraFrame& came
   if (background.radiance.width == width && background.radiance.height == height) return background;
   background.radiance = background.albedo = Framebuffer(width, height);
   background.floor.assign(background.radiance.channels.size() / 3, 0);
-  background.uniform_albedo.assign(static_cast<std::size_t>(height), std::nullopt);
   return background;
 }
 
@@ -145,45 +144,20 @@ void put(const LaneColors& colors, int count, float* out) {
   }
 }
 
-/// Whether all floor of a row has one colour, and which.
-struct EvenAlbedo {
-  bool holds = true;
-  std::optional<Color> colour = std::nullopt;  // of the first that shows
-
-  void add(const LaneBackground& pixels, int count) {
-    if (pixels.plain) count = 1;  // as all are
-    for (int i = 0; i < count; ++i) {
-      if (!(pixels.share[i] > 0.0f)) continue;
-      const Color found = pixels.visible_albedo.at(i);
-      if (!colour) colour = found;
-      holds = holds && (found == *colour).all();
-    }
-  }
-};
-
 }  // namespace
 
 void render_unshadowed_row(const UnshadowedBackground& open, int y, StaticBackground& background) {
   const int width = background.radiance.width;
   const UnshadowedRow row(open, y, width);
-  EvenAlbedo even;
   for (int first = 0; first < width; first += static_cast<int>(lanes)) {
     const int count = std::min(static_cast<int>(lanes), width - first);
     const LaneBackground pixels = row.pixels(first);
     put(pixels.radiance, count, background.radiance.at(first, y));
+    put(pixels.visible_albedo, count, background.albedo.at(first, y));
     const std::size_t place = background.place_of(first, y);
     for (int i = 0; i < count; ++i)
       background.floor[place + static_cast<std::size_t>(i)] = pixels.share[i] > 0.0f ? 1 : 0;
-    if (even.holds) {
-      even.add(pixels, count);
-      if (even.holds) continue;
-      // Until here it was.
-      for (int x = 0; x < first; ++x)
-        std::copy_n(even.colour->data(), 3, background.albedo.at(x, y));
-    }
-    put(pixels.visible_albedo, count, background.albedo.at(first, y));
   }
-  background.uniform_albedo[static_cast<std::size_t>(y)] = even.holds ? even.colour : std::nullopt;
 }
 
 }  // namespace mien::render

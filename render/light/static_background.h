@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,20 +20,15 @@ struct StaticBackground {
   std::vector<std::uint8_t> solid;  ///< 1 where a static solid may show; empty: none
   CameraFrame camera;               ///< locates pixels on the floor (FloorRow)
 
-  /// The floor's albedo, multiplied by the share that has not faded into the backdrop. For rows of
-  /// uniform albedo it is stored in `uniform_albedo` only, which is faster to read.
-  std::vector<std::optional<Color>> uniform_albedo;  ///< one per row
-  Framebuffer albedo;                                ///< albedo of the other rows
+  /// The floor's albedo, multiplied by the share that has not faded into the backdrop; black where
+  /// a pixel shows no floor.
+  Framebuffer albedo;
 
   bool shows_floor(int x, int y) const { return floor[place_of(x, y)] != 0; }
   bool may_show_solid(int x, int y) const { return !solid.empty() && solid[place_of(x, y)] != 0; }
 
   /// The floor's albedo at a pixel; black where the pixel does not show the floor.
-  Color floor_albedo(int x, int y) const {
-    if (!shows_floor(x, y)) return Color::Zero();
-    const std::optional<Color>& even = uniform_albedo[static_cast<std::size_t>(y)];
-    return even ? *even : Color(Eigen::Map<const Color>(albedo.at(x, y)));
-  }
+  Color floor_albedo(int x, int y) const { return Eigen::Map<const Color>(albedo.at(x, y)); }
 
   /// Returns the index of a pixel in the lists.
   std::size_t place_of(int x, int y) const {

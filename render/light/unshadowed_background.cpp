@@ -18,22 +18,6 @@ struct LaneCovers {
   LaneFloats major;
 };
 
-/// Finds the points of the floor that the pixels x … x + 7 of a row show.
-MIEN_FOR_AVX2_TOO void find_unfaded_floor(const FloorRow& row, int x, LaneBackground& pixels) {
-  const float row_x = row.x, row_z = row.z, from_x = row.from_x, from_z = row.from_z;
-  const float step_x = row.step_x, step_z = row.step_z, drop = row.drop, height = row.height;
-  const float drop_step = row.drop_step, centre = row.centre;
-#pragma omp simd
-  for (unsigned i = 0; i < lanes; ++i) {
-    const float u = static_cast<float>(x + static_cast<int>(i)) + 0.5f - centre;
-    const float s = height / (drop + u * drop_step);  // as FloorRow::at
-    pixels.point.x.lane[i] = row_x + s * (from_x + u * step_x);
-    pixels.point.y.lane[i] = 0.0f;
-    pixels.point.z.lane[i] = row_z + s * (from_z + u * step_z);
-    pixels.share.lane[i] = 1.0f;
-  }
-}
-
 /// Finds the points of the floor that rays meet, and how much of it has not faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
                                   const LaneRays& rays, LaneBackground& pixels) {
@@ -227,13 +211,12 @@ UnshadowedBackground::UnshadowedBackground(const Scene& scene, const CameraFrame
   }
 }
 
-// Without rays, all floor is unfaded and without lines.
-void UnshadowedBackground::shade(const LaneRays* rays, const LaneColors& light,
+void UnshadowedBackground::shade(const LaneRays& rays, const LaneColors& light,
                                  LaneBackground& pixels) const {
   LaneCovers covers;
-  if (rays != nullptr && scene_.ground.line_spacing > 0.0f)
-    covers = covers_of(scene_.ground, camera_, *rays, pixels.point);
-  const LaneFloats elevation = rays != nullptr ? rays->direction.y : LaneFloats{};
+  if (scene_.ground.line_spacing > 0.0f)
+    covers = covers_of(scene_.ground, camera_, rays, pixels.point);
+  const LaneFloats& elevation = rays.direction.y;
   LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
   show_channel(scene_, 0, elevation, covers, light.red, pixels.share, shown.red, albedo.red);
   show_channel(scene_, 1, elevation, covers, light.green, pixels.share, shown.green, albedo.green);
@@ -246,30 +229,21 @@ LaneBackground UnshadowedBackground::along(const LaneRays& rays) const {
   LaneColors light;
   for (std::size_t k = 0; k < lights_.size(); ++k)
     add_light(irradiance(lights_[k], pixels.point), scene_.lights[k].radiance, light);
-  shade(&rays, light, pixels);
+  shade(rays, light, pixels);
   return pixels;
 }
 
-// Distances along a straight line are greatest at its ends.
 UnshadowedRow::UnshadowedRow(const UnshadowedBackground& background, int y, int width)
-    : background_(background),
-      row_(background.camera_, y),
-      y_(static_cast<float>(y) + 0.5f),
-      is_unfaded_(background.scene_.has_ground && !background.camera_.parallel &&
-                  row_.is_in_order() && row_.drop > 0.0f && row_.height > 0.0f),
-      nodes_(background.lights_.size()) {
-  if (!is_unfaded_) return;
-  const auto distance = [&](int column) {
-    const FloorPlace place = row_.at(column);
-    return std::hypot(place.x - row_.x, place.z - row_.z);
-  };
-  constexpr float more_than_rounding = 1.0001f;
-  is_unfaded_ = more_than_rounding * std::max(distance(0), distance(width + node_distance)) <=
-                background.scene_.ground.fade_start;
-  const float step = row_.height / row_.drop * std::hypot(row_.step_x, row_.step_z);
+    : background_(background), y_(static_cast<float>(y) + 0.5f), nodes_(background.lights_.size()) {
+  const CameraFrame& camera = background.camera_;
+  const FloorRow row(camera, y);
+  if (!background.scene_.has_ground || camera.parallel || !row.is_in_order() || row.drop <= 0.0f ||
+      row.height <= 0.0f)
+    return;
+  const float step = row.height / row.drop * std::hypot(row.step_x, row.step_z);
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     if (static_cast<float>(node_distance) * step <= smooth_share * background.heights_[k])
-      nodes_[k] = nodes_of(background.lights_[k], row_, width);
+      nodes_[k] = nodes_of(background.lights_[k], row, width);
 }
 
 // Irradiance is not smooth where the floor passes behind the light.
@@ -284,27 +258,20 @@ LaneFloats UnshadowedRow::light_at(std::size_t light, int x, const LaneVectors& 
 
 LaneBackground UnshadowedRow::pixels(int x) const {
   const Scene& scene = background_.scene_;
+  LaneFloats columns, row;
+  for (int i = 0; i < static_cast<int>(lanes); ++i) {
+    columns[i] = static_cast<float>(x + i) + 0.5f;
+    row[i] = y_;
+  }
+  const LaneRays rays = camera_rays(background_.camera_, columns, row);
   LaneBackground pixels;
-  pixels.plain = is_unfaded_ && scene.ground.line_spacing <= 0.0f;
-  bool any = is_unfaded_;
-  if (is_unfaded_) find_unfaded_floor(row_, x, pixels);
-  LaneRays rays;
-  if (!pixels.plain) {
-    LaneFloats columns, row;
-    for (int i = 0; i < static_cast<int>(lanes); ++i) {
-      columns[i] = static_cast<float>(x + i) + 0.5f;
-      row[i] = y_;
-    }
-    rays = camera_rays(background_.camera_, columns, row);
-  }
-  if (!is_unfaded_) {
-    find_floor(scene.ground, scene.has_ground, background_.camera_, rays, pixels);
-    for (const float share : pixels.share.lane) any |= share > 0.0f;
-  }
+  find_floor(scene.ground, scene.has_ground, background_.camera_, rays, pixels);
   LaneColors light;
+  const bool any = std::any_of(pixels.share.lane, pixels.share.lane + lanes,
+                               [](float share) { return share > 0.0f; });
   for (std::size_t k = 0; any && k < nodes_.size(); ++k)
     add_light(light_at(k, x, pixels.point), scene.lights[k].radiance, light);
-  background_.shade(pixels.plain ? nullptr : &rays, light, pixels);
+  background_.shade(rays, light, pixels);
   return pixels;
 }
 

@@ -24,7 +24,6 @@ struct LaneBackground {
   LaneColors visible_albedo;  ///< albedo of the floor times its share that has not faded
   LaneVectors point;          ///< point of the floor
   LaneFloats share;           ///< share of the floor that has not faded; 0: no floor is shown
-  bool plain = false;         ///< whether all rays show unfaded floor without grid lines
 };
 
 /// The background of a scene through one camera, without solids and their shadows: backdrop and
@@ -40,7 +39,7 @@ class UnshadowedBackground {
 
  private:
   friend class UnshadowedRow;
-  void shade(const LaneRays* rays, const LaneColors& light, LaneBackground& pixels) const;
+  void shade(const LaneRays& rays, const LaneColors& light, LaneBackground& pixels) const;
 
   const Scene& scene_;
   CameraFrame camera_;
@@ -51,9 +50,9 @@ class UnshadowedBackground {
 /// A row of an UnshadowedBackground, eight pixels at a time. A light's irradiance is computed at
 /// every eighth pixel and interpolated by cubic polynomials where the relative error is at most
 /// 0.00002 (by the fourth derivative of a point light's irradiance; that of larger lights varies
-/// less). This holds for a perspective camera with a level horizon, in rows without fading, if the
-/// distance between the floor points shown by pixels eight columns apart is at most a twentieth of
-/// the height of the light's lowest point.
+/// less). This holds for a perspective camera with a level horizon if the distance between the
+/// floor points shown by pixels eight columns apart is at most a twentieth of the height of the
+/// light's lowest point.
 class UnshadowedRow {
  public:
   UnshadowedRow(const UnshadowedBackground& background, int y, int width);
@@ -66,9 +65,7 @@ class UnshadowedRow {
   LaneFloats light_at(std::size_t light, int x, const LaneVectors& points) const;
 
   const UnshadowedBackground& background_;
-  FloorRow row_;
-  float y_;          // of the pixels' centres
-  bool is_unfaded_;  // whether all pixels show unfaded floor
+  float y_;  // of the pixels' centres
   // Per light: irradiance at pixels −8, 0, 8, …, if interpolated.
   std::vector<std::vector<float>> nodes_;
 };

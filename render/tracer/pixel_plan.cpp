@@ -90,8 +90,7 @@ struct CellPixels {
   int column;  // of the first
   std::size_t count;
   const float* radiance;  // of the first pixel on
-  const float* albedo;    // of the first pixel on; null: all have uniform_albedo
-  Color uniform_albedo;
+  const float* albedo;
 };
 
 /// Lane i of the result becomes lane `from[i]` of the values.
@@ -104,13 +103,10 @@ struct CellPixels {
 }
 
 /// Writes their radiance less the occluded sky light.
-template <bool even>
-[[gnu::always_inline]] inline void show_lit(const CellPixels& pixels, const FloorSky::Cell& cell,
-                                            float* out) {
+MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
   const FloorRow& row = pixels.row;
   CellLight light;
-  Octet of_colour[3];
   for (int part = 0; part < 3; ++part) {
     for (int i = 0; i < 8; ++i) {
       const int c = (8 * part + i) % 3;
@@ -118,7 +114,6 @@ template <bool even>
       light.along_x[part][i] = cell.along_x[c];
       light.along_z[part][i] = cell.along_z[c];
       light.along_both[part][i] = cell.along_both[c];
-      of_colour[part][i] = pixels.uniform_albedo[c];
     }
   }
   // Eight pixels, of which the first is the one with this number.
@@ -136,9 +131,9 @@ template <bool even>
       Octet right, far;
       shuffle(along, thrice[part], right);
       shuffle(across, thrice[part], far);
-      Octet lit, of_light = of_colour[part];
+      Octet lit, of_light;
       std::memcpy(&lit, radiance + 8 * part, sizeof lit);
-      if constexpr (!even) std::memcpy(&of_light, albedo + 8 * part, sizeof of_light);
+      std::memcpy(&of_light, albedo + 8 * part, sizeof of_light);
       lit -= of_light * (light.at_corner[part] + right * light.along_x[part] +
                          far * (light.along_z[part] + right * light.along_both[part]));
       std::memcpy(shown + 8 * part, &lit, sizeof lit);
@@ -146,20 +141,15 @@ template <bool even>
   };
   std::size_t i = 0;
   for (; i + 8 <= pixels.count; i += 8)
-    show_eight(i, pixels.radiance + 3 * i, even ? nullptr : pixels.albedo + 3 * i, out + 3 * i);
+    show_eight(i, pixels.radiance + 3 * i, pixels.albedo + 3 * i, out + 3 * i);
   if (i == pixels.count) return;
   // The last ones, as part of eight.
   const std::size_t left = 3 * (pixels.count - i);
   float last_radiance[24] = {}, last_albedo[24] = {}, last[24];
   std::copy_n(pixels.radiance + 3 * i, left, last_radiance);
-  if constexpr (!even) std::copy_n(pixels.albedo + 3 * i, left, last_albedo);
+  std::copy_n(pixels.albedo + 3 * i, left, last_albedo);
   show_eight(i, last_radiance, last_albedo, last);
   std::copy_n(last, left, out + 3 * i);
-}
-
-MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {
-  return pixels.albedo == nullptr ? show_lit<true>(pixels, cell, out)
-                                  : show_lit<false>(pixels, cell, out);
 }
 
 /// Where the pixels of a row end that lie in the cell of the first, at column `end` at the latest.
@@ -267,7 +257,6 @@ void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
   const StaticBackground& background = prepared_.background;
   for (int y = band.y_begin; y < band.y_end; ++y) {
     const FloorRow& row = floor_row(y);
-    const std::optional<Color>& even = background.uniform_albedo[static_cast<std::size_t>(y)];
     for (int x = band.x_begin; x < band.x_end;) {
       const int first = x;
       const bool floor = background.shows_floor(first, y);
@@ -283,10 +272,9 @@ void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
         std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));
       } else {
         x = end_of_cell(background, row, *cell_, first, y, band.x_end);
-        show_cell(
-            {row, first, static_cast<std::size_t>(x - first), background.radiance.at(first, y),
-             even ? nullptr : background.albedo.at(first, y), even ? *even : Color(Color::Zero())},
-            *cell_, canvas.color(first, y));
+        show_cell({row, first, static_cast<std::size_t>(x - first),
+                   background.radiance.at(first, y), background.albedo.at(first, y)},
+                  *cell_, canvas.color(first, y));
       }
     }
   }
