@@ -67,89 +67,45 @@ FloorPlace floor_reach(const CameraFrame& camera, const FloorInView& view, float
   return floor;
 }
 
-/// Eight floats as a vector of the compiler's, loaded without gathering.
-using Octet = float __attribute__((vector_size(32), aligned(4)));
-using Places = int __attribute__((vector_size(32)));
-
-/// The numbers of eight pixels, each three times: for eight of the 24 channels, from the first, the
-/// second or the third eight on.
-constexpr Places thrice[3] = {
-    {0, 0, 0, 1, 1, 1, 2, 2}, {2, 3, 3, 3, 4, 4, 4, 5}, {5, 5, 6, 6, 6, 7, 7, 7}};
-
-/// The hidden light of a cell for each of those channels.
-struct CellLight {
-  Octet at_corner[3];
-  Octet along_x[3];
-  Octet along_z[3];
-  Octet along_both[3];
-};
-
 /// Consecutive pixels of a row whose floor lies in one cell.
 struct CellPixels {
   const FloorRow& row;
   int column;  // of the first
-  std::size_t count;
+  int count;
   const float* radiance;  // of the first pixel on
   const float* albedo;
 };
 
-/// Lane i of the result becomes lane `from[i]` of the values.
-[[gnu::always_inline]] inline void shuffle(const Octet& values, const Places& from, Octet& result) {
-#ifdef __clang__
-  for (int i = 0; i < 8; ++i) result[i] = values[from[i]];
-#else
-  result = __builtin_shuffle(values, from);
-#endif
-}
-
 /// Writes their radiance less the occluded sky light.
 MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {
+  constexpr int at_once = 32;
+  const FloorRow row = pixels.row;
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
-  const FloorRow& row = pixels.row;
-  CellLight light;
-  for (int part = 0; part < 3; ++part) {
-    for (int i = 0; i < 8; ++i) {
-      const int c = (8 * part + i) % 3;
-      light.at_corner[part][i] = cell.at_corner[c];
-      light.along_x[part][i] = cell.along_x[c];
-      light.along_z[part][i] = cell.along_z[c];
-      light.along_both[part][i] = cell.along_both[c];
+  for (int begin = 0; begin < pixels.count; begin += at_once) {
+    const int count = std::min(at_once, pixels.count - begin);
+    const int first = pixels.column + begin;
+    float right[at_once], far[at_once];
+#pragma omp simd
+    for (int i = 0; i < at_once; ++i) {
+      // As FloorRow::at.
+      const float u = static_cast<float>(first + i) + 0.5f - row.centre;
+      const float s = row.height / (row.drop + u * row.drop_step);
+      right[i] = (row.x + s * (row.from_x + u * row.step_x) - x) * inverse_side;
+      far[i] = (row.z + s * (row.from_z + u * row.step_z) - z) * inverse_side;
+    }
+    for (int c = 0; c < 3; ++c) {
+      const float at_corner = cell.at_corner[c], along_x = cell.along_x[c];
+      const float along_z = cell.along_z[c], along_both = cell.along_both[c];
+      const float *radiance = pixels.radiance + 3 * begin + c,
+                  *albedo = pixels.albedo + 3 * begin + c;
+      float* shown = out + 3 * begin + c;
+#pragma omp simd
+      for (int i = 0; i < count; ++i)
+        shown[3 * i] =
+            radiance[3 * i] - albedo[3 * i] * (at_corner + right[i] * along_x +
+                                               far[i] * (along_z + right[i] * along_both));
     }
   }
-  // Eight pixels, of which the first is the one with this number.
-  const auto show_eight = [&](std::size_t first, const float* radiance, const float* albedo,
-                              float* shown) __attribute__((always_inline)) {
-    // As FloorRow::at.
-    Octet u;
-    for (int k = 0; k < 8; ++k)
-      u[k] = static_cast<float>(pixels.column + static_cast<int>(first) + k) + 0.5f - row.centre;
-    const Octet s = row.height / (row.drop + u * row.drop_step);
-    const Octet px = row.x + s * (row.from_x + u * row.step_x);
-    const Octet pz = row.z + s * (row.from_z + u * row.step_z);
-    const Octet along = (px - x) * inverse_side, across = (pz - z) * inverse_side;
-    for (int part = 0; part < 3; ++part) {
-      Octet right, far;
-      shuffle(along, thrice[part], right);
-      shuffle(across, thrice[part], far);
-      Octet lit, of_light;
-      std::memcpy(&lit, radiance + 8 * part, sizeof lit);
-      std::memcpy(&of_light, albedo + 8 * part, sizeof of_light);
-      lit -= of_light * (light.at_corner[part] + right * light.along_x[part] +
-                         far * (light.along_z[part] + right * light.along_both[part]));
-      std::memcpy(shown + 8 * part, &lit, sizeof lit);
-    }
-  };
-  std::size_t i = 0;
-  for (; i + 8 <= pixels.count; i += 8)
-    show_eight(i, pixels.radiance + 3 * i, pixels.albedo + 3 * i, out + 3 * i);
-  if (i == pixels.count) return;
-  // The last ones, as part of eight.
-  const std::size_t left = 3 * (pixels.count - i);
-  float last_radiance[24] = {}, last_albedo[24] = {}, last[24];
-  std::copy_n(pixels.radiance + 3 * i, left, last_radiance);
-  std::copy_n(pixels.albedo + 3 * i, left, last_albedo);
-  show_eight(i, last_radiance, last_albedo, last);
-  std::copy_n(last, left, out + 3 * i);
 }
 
 /// Where the pixels of a row end that lie in the cell of the first, at column `end` at the latest.
