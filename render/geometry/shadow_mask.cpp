@@ -135,16 +135,4 @@ bool ShadowMask::may_shade(const FloorArea& floor) const {
   return false;
 }
 
-bool ShadowMask::may_shade_all(const FloorArea& floor) const {
-  if (everywhere_) return true;
-  const FloorArea area = turned(floor);
-  if (area.x_min < area_.x_min || area.x_max > area_.x_max || area.z_min < area_.z_min ||
-      area.z_max > area_.z_max)
-    return false;
-  for (int z = row(area.z_min); z <= row(area.z_max); ++z)
-    for (int x = column(area.x_min); x <= column(area.x_max); ++x)
-      if (touched_[static_cast<std::size_t>(z * cells + x)] == 0) return false;
-  return true;
-}
-
 }  // namespace mien::render

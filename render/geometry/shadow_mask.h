@@ -25,10 +25,6 @@ class ShadowMask {
   /// Returns whether any point of the area may lie in umbra or penumbra.
   bool may_shade(const FloorArea& area) const;
 
-  /// Returns whether every point of the area may lie in umbra or penumbra, at the resolution of the
-  /// grid.
-  bool may_shade_all(const FloorArea& area) const;
-
  private:
   static constexpr int cells = 128;  // cells per side
 

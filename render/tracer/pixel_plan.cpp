@@ -145,12 +145,10 @@ void PixelPlanner::begin_tile(const Tile& tile) {
       static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
   const FloorInView floor = floor_in(prepared_.camera, image);
   tile_lights_ = 0;
-  shaded_everywhere_ = true;
   for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i) {
     const ShadowMask& mask = prepared_.shadow_masks[i];
     if (!whole && (floor.area ? !mask.may_shade(*floor.area) : !floor.any)) continue;
     tile_lights_ |= 1u << i;
-    shaded_everywhere_ &= floor.area && mask.may_shade_all(*floor.area);
   }
   floor_reach_.reset();
   if (tile_lights_ != 0 && floor.area) floor_reach_ = floor_reach(prepared_.camera, floor, margin);
@@ -194,7 +192,7 @@ PixelPlan PixelPlanner::plan(int x, int y, std::uint32_t lights) const {
 
 // Of the floor that the pixels from `first` to `last` of a row show.
 std::uint32_t PixelPlanner::shadow_lights(int first, int last, int y) {
-  if (shaded_everywhere_ || prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  if (prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
   const FloorRow& row = floor_row(y);
   const FloorPlace from = row.at(first), to = row.at(last);
   const auto [x_min, x_max] = std::minmax(from.x, to.x);
@@ -228,8 +226,8 @@ void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
         std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));
       } else {
         x = end_of_cell(background, row, *cell_, first, y, band.x_end);
-        show_cell({row, first, static_cast<std::size_t>(x - first),
-                   background.radiance.at(first, y), background.albedo.at(first, y)},
+        show_cell({row, first, x - first, background.radiance.at(first, y),
+                   background.albedo.at(first, y)},
                   *cell_, canvas.color(first, y));
       }
     }

@@ -66,8 +66,7 @@ class PixelPlanner {
   const bool per_sample_;
   const FloorSky::Cell* cell_;  // last cell of the floor that was used
   Tile tile_{};
-  std::uint32_t tile_lights_ = 0;   // bit i: the figure may occlude light i somewhere in the tile
-  bool shaded_everywhere_ = false;  // every pixel may be shadowed from all of tile_lights_
+  std::uint32_t tile_lights_ = 0;  // bit i: the figure may occlude light i somewhere in the tile
   // How far the floor that a pixel's samples show extends from that at its centre, along x and z,
   // metres; none at the horizon. Only if the tile has tile_lights_.
   std::optional<FloorPlace> floor_reach_;
