@@ -42,7 +42,7 @@ inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 
 /// Bias as a share of the sky's light on a solid, in blocks of 10 x 10 pixels: its occlusion is
 /// blurred, in drafts by 3 pixels, in standard quality by 2.
-inline constexpr BiasBound figure_sky_bias{0.03, 0.02, 0.0};
+inline constexpr BiasBound figure_sky_bias{0.04, 0.02, 0.0};
 
 /// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts and standard
 /// quality, shadows are blurred by 2 pixels.
