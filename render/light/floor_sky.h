@@ -15,11 +15,12 @@ namespace mien::render {
 
 /// Occlusion of the sky by a figure, as seen from the floor: an irradiance cache on an adaptive
 /// grid. Occlusion is sampled with many rays at the corners of square cells and interpolated
-/// bilinearly in between. Cells are small enough for an interpolation error of at most
-/// `Quality::floor_sky_tolerance` of the sky's light. Where that would require cells smaller than
+/// bilinearly in between. Cells are small enough for an estimated interpolation error of at most
+/// `Quality::floor_sky_tolerance` of the sky's light; the estimate takes the figure's pieces for
+/// closed solids seen from any side (FigurePiece). Where that would require cells smaller than
 /// `Quality::floor_sky_cell`, such as under the feet, the error may be larger with
 /// `Quality::floor_sky_smooth`; without it the cell is unknown and each pixel casts its own rays.
-/// Cells that lie within the bounding sphere of a shape are not divided, but unknown, too.
+/// Cells that lie within the sphere around a piece are not divided, but unknown, too.
 /// Occlusion is neglected outside a square of 128 m, which extends at least 32 m from the figure's
 /// centre on each side.
 ///

@@ -211,8 +211,16 @@ UnshadowedBackground::UnshadowedBackground(const Scene& scene, const CameraFrame
   }
 }
 
-void UnshadowedBackground::shade(const LaneRays& rays, const LaneColors& light,
-                                 LaneBackground& pixels) const {
+// `light_at` gives the irradiance of a light, of radiance 1, at the points of the floor.
+template <class LightAt>
+LaneBackground UnshadowedBackground::shown(const LaneRays& rays, const LightAt& light_at) const {
+  LaneBackground pixels;
+  find_floor(scene_.ground, scene_.has_ground, camera_, rays, pixels);
+  LaneColors light;
+  const bool any = std::any_of(pixels.share.lane, pixels.share.lane + lanes,
+                               [](float share) { return share > 0.0f; });
+  for (std::size_t k = 0; any && k < lights_.size(); ++k)
+    add_light(light_at(k, pixels.point), scene_.lights[k].radiance, light);
   LaneCovers covers;
   if (scene_.ground.line_spacing > 0.0f)
     covers = covers_of(scene_.ground, camera_, rays, pixels.point);
@@ -221,16 +229,13 @@ void UnshadowedBackground::shade(const LaneRays& rays, const LaneColors& light,
   show_channel(scene_, 0, elevation, covers, light.red, pixels.share, shown.red, albedo.red);
   show_channel(scene_, 1, elevation, covers, light.green, pixels.share, shown.green, albedo.green);
   show_channel(scene_, 2, elevation, covers, light.blue, pixels.share, shown.blue, albedo.blue);
+  return pixels;
 }
 
 LaneBackground UnshadowedBackground::along(const LaneRays& rays) const {
-  LaneBackground pixels;
-  find_floor(scene_.ground, scene_.has_ground, camera_, rays, pixels);
-  LaneColors light;
-  for (std::size_t k = 0; k < lights_.size(); ++k)
-    add_light(irradiance(lights_[k], pixels.point), scene_.lights[k].radiance, light);
-  shade(rays, light, pixels);
-  return pixels;
+  return shown(rays, [&](std::size_t light, const LaneVectors& points) {
+    return irradiance(lights_[light], points);
+  });
 }
 
 UnshadowedRow::UnshadowedRow(const UnshadowedBackground& background, int y, int width)
@@ -257,22 +262,14 @@ LaneFloats UnshadowedRow::light_at(std::size_t light, int x, const LaneVectors& 
 }
 
 LaneBackground UnshadowedRow::pixels(int x) const {
-  const Scene& scene = background_.scene_;
   LaneFloats columns, row;
   for (int i = 0; i < static_cast<int>(lanes); ++i) {
     columns[i] = static_cast<float>(x + i) + 0.5f;
     row[i] = y_;
   }
-  const LaneRays rays = camera_rays(background_.camera_, columns, row);
-  LaneBackground pixels;
-  find_floor(scene.ground, scene.has_ground, background_.camera_, rays, pixels);
-  LaneColors light;
-  const bool any = std::any_of(pixels.share.lane, pixels.share.lane + lanes,
-                               [](float share) { return share > 0.0f; });
-  for (std::size_t k = 0; any && k < nodes_.size(); ++k)
-    add_light(light_at(k, x, pixels.point), scene.lights[k].radiance, light);
-  background_.shade(rays, light, pixels);
-  return pixels;
+  return background_.shown(
+      camera_rays(background_.camera_, columns, row),
+      [&](std::size_t light, const LaneVectors& points) { return light_at(light, x, points); });
 }
 
 }  // namespace mien::render

@@ -39,7 +39,8 @@ class UnshadowedBackground {
 
  private:
   friend class UnshadowedRow;
-  void shade(const LaneRays& rays, const LaneColors& light, LaneBackground& pixels) const;
+  template <class LightAt>
+  LaneBackground shown(const LaneRays& rays, const LightAt& light_at) const;
 
   const Scene& scene_;
   CameraFrame camera_;

@@ -79,8 +79,8 @@ enum class Dimension : std::uint32_t {
   FloorSkyChoice,
   CornerSky,
   Lens,
-  Time,        ///< first number only
-  FirstLight,  ///< one per light
+  Time,                   ///< first number only
+  FirstLight,             ///< one per light
   FirstFigure = 1u << 16  ///< one per figure, first number only: whether the figure is present
 };
 
@@ -133,7 +133,8 @@ class PixelSampler {
   /// Returns the index, for sample_point, of the pixel's point number `point`; each sample has
   /// `times` points.
   std::uint32_t index(int point, int times = 1) const {
-    return index_of(point, static_cast<std::uint32_t>(times) * samples_);
+    return place_ * std::bit_ceil(static_cast<std::uint32_t>(times) * samples_) +
+           static_cast<std::uint32_t>(point);
   }
 
   Point2 point(Dimension dimension, int index) const { return point(dimension, 0, index); }
@@ -145,10 +146,6 @@ class PixelSampler {
   float choice(Dimension dimension) const { return sample_point(place_, seed(dimension)).u; }
 
  private:
-  std::uint32_t index_of(int point, std::uint32_t points) const {
-    return place_ * std::bit_ceil(points) + static_cast<std::uint32_t>(point);
-  }
-
   std::uint32_t seed_ = 0;
   std::uint32_t place_ = 0;  // index of the pixel on the Morton curve
   std::uint32_t samples_ = 1;

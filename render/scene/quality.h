@@ -26,7 +26,8 @@ struct Quality {
   /// Samples that show the same part of a figure share what they find occluded of the sky within so
   /// many pixels: less noise, but blurred. 0: each sample has its own.
   int sky_sharing_pixels = 2;
-  /// As above for what shadow rays find occluded of the area lights on the floor.
+  /// As above for what shadow rays find occluded of the area lights on the floor. Has no effect if
+  /// the camera moves or has an aperture.
   int floor_sharing_pixels = 2;
   /// Where samples share, one of so many casts rays, and two where the floor may be shadowed.
   int samples_per_shared_ray = 6;

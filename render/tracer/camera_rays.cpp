@@ -48,19 +48,19 @@ RayPacket camera_rays(const PreparedScene& prepared, std::span<const Sample> sam
     y[i] = static_cast<float>(sample.pixel->y) + 0.5f + prepared.filter.offset(u.v[i]);
     ++i;
   }
-  LaneRays lines;
+  LaneRays found;
   if (prepared.is_per_sample()) {
     for (int i = 0; const Sample& sample : samples) {
       const CameraRay ray = own_ray(prepared, sample, x[i], y[i]);
-      lines.origin.set(i, ray.origin);
-      lines.direction.set(i++, ray.direction);
+      found.origin.set(i, ray.origin);
+      found.direction.set(i++, ray.direction);
     }
   } else {
-    lines = camera_rays(prepared.camera, x, y);
+    found = camera_rays(prepared.camera, x, y);
   }
   RayPacket rays;
   for (const Sample& sample : samples) {
-    const Vec3 origin = lines.origin.at(rays.count), direction = lines.direction.at(rays.count);
+    const Vec3 origin = found.origin.at(rays.count), direction = found.direction.at(rays.count);
     const std::optional<float> floor =
         prepared.scene.has_ground ? distance_to_floor(origin, direction) : std::nullopt;
     rays.push(origin, direction, floor.value_or(infinity), sample.time, sample.present);

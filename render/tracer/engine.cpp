@@ -59,7 +59,7 @@ void Engine::sample_floor_sky(PreparedScene& prepared) {
 
 void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera) {
   const Quality& quality = prepared.quality;
-  const int reach = std::max(quality.sky_sharing_pixels, quality.floor_sharing_pixels);
+  const int reach = 2 * std::max(quality.sky_sharing_pixels, quality.floor_sharing_pixels);
   if (reach == 0 || quality.reference || prepared.bounds.radius < 0.0f) return;
   // Also beside the window, so that its pixels are those of the whole picture.
   const Window window = window_of(camera);

@@ -26,7 +26,9 @@ class OcclusionFinder {
         shared_(shared),
         everywhere_(prepared.is_per_sample() || prepared.quality.exhaustive),
         // Pixels that render their own background cast rays for their floor.
-        of_floor_(prepared.quality.floor_sharing_pixels > 0 && !prepared.is_per_sample()),
+        of_floor_(prepared.quality.floor_sharing_pixels > 0 && !prepared.is_per_sample() &&
+                  prepared.scene.has_ground && !prepared.scene.lights.empty()),
+        of_figure_(prepared.quality.sky_sharing_pixels > 0),
         planner_(prepared) {}
 
   /// Finds what there is in a row of tiles, and hands it over.
@@ -43,7 +45,8 @@ class OcclusionFinder {
   };
 
   bool may_show_figure(const Tile& tile, int y) const {
-    return everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y);
+    return of_figure_ &&
+           (everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y));
   }
   void find(const Tile& tile);
   void add_pixel(int x, int y, std::uint32_t lights);
@@ -59,6 +62,7 @@ class OcclusionFinder {
   SharedOcclusion& shared_;
   const bool everywhere_;  // any pixel may show the figure
   const bool of_floor_;    // shadows on the floor are shared
+  const bool of_figure_;   // occlusion of the sky on figures is shared
   PixelPlanner planner_;
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
@@ -87,7 +91,7 @@ void OcclusionFinder::find(const Tile& tile) {
     const PixelPlan* plans = shadowed ? planner_.plan_row(y).data() : nullptr;
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
       const std::uint32_t lights = shadowed ? plans[x - tile.x_begin].shadow_lights : 0;
-      if (lights != 0 || everywhere_ || prepared_.pixel_mask.may_intersect(x, y))
+      if (lights != 0 || (of_figure_ && (everywhere_ || prepared_.pixel_mask.may_intersect(x, y))))
         add_pixel(x, y, lights);
     }
   }
@@ -117,7 +121,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
 void OcclusionFinder::cast() {
   if (count_ == 0) return;
   place();
-  if (prepared_.quality.sky_sharing_pixels > 0) find_sky();
+  if (of_figure_) find_sky();
   for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);
   for (std::size_t i = 0; i < count_; ++i)
     if (points_[i].found.part != nothing)

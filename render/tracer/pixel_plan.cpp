@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "render/light/sky_cone.h"
 #include "render/math/constants.h"
@@ -86,12 +85,10 @@ MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell&
     const int first = pixels.column + begin;
     float right[at_once], far[at_once];
 #pragma omp simd
-    for (int i = 0; i < at_once; ++i) {
-      // As FloorRow::at.
-      const float u = static_cast<float>(first + i) + 0.5f - row.centre;
-      const float s = row.height / (row.drop + u * row.drop_step);
-      right[i] = (row.x + s * (row.from_x + u * row.step_x) - x) * inverse_side;
-      far[i] = (row.z + s * (row.from_z + u * row.step_z) - z) * inverse_side;
+    for (int i = 0; i < count; ++i) {
+      const FloorPlace place = row.at(first + i);
+      right[i] = (place.x - x) * inverse_side;
+      far[i] = (place.z - z) * inverse_side;
     }
     for (int c = 0; c < 3; ++c) {
       const float at_corner = cell.at_corner[c], along_x = cell.along_x[c];
@@ -147,7 +144,7 @@ void PixelPlanner::begin_tile(const Tile& tile) {
   tile_lights_ = 0;
   for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i) {
     const ShadowMask& mask = prepared_.shadow_masks[i];
-    if (!whole && (floor.area ? !mask.may_shade(*floor.area) : !floor.any)) continue;
+    if (!asks_all_lights_ && (floor.area ? !mask.may_shade(*floor.area) : !floor.any)) continue;
     tile_lights_ |= 1u << i;
   }
   floor_reach_.reset();
@@ -192,7 +189,7 @@ PixelPlan PixelPlanner::plan(int x, int y, std::uint32_t lights) const {
 
 // Of the floor that the pixels from `first` to `last` of a row show.
 std::uint32_t PixelPlanner::shadow_lights(int first, int last, int y) {
-  if (prepared_.quality.exhaustive || !floor_reach_) return tile_lights_;
+  if (asks_all_lights_ || !floor_reach_) return tile_lights_;
   const FloorRow& row = floor_row(y);
   const FloorPlace from = row.at(first), to = row.at(last);
   const auto [x_min, x_max] = std::minmax(from.x, to.x);

@@ -33,6 +33,7 @@ class PixelPlanner {
   explicit PixelPlanner(const PreparedScene& prepared)
       : prepared_(prepared),
         per_sample_(prepared.is_per_sample()),
+        asks_all_lights_(prepared.quality.exhaustive && prepared.quality.floor_sharing_pixels == 0),
         cell_(&prepared.floor_sky.cell_at(0.0f, 0.0f)) {}
 
   void begin_tile(const Tile& tile);
@@ -64,6 +65,7 @@ class PixelPlanner {
 
   const PreparedScene& prepared_;
   const bool per_sample_;
+  const bool asks_all_lights_;  // also where the figure occludes none
   const FloorSky::Cell* cell_;  // last cell of the floor that was used
   Tile tile_{};
   std::uint32_t tile_lights_ = 0;  // bit i: the figure may occlude light i somewhere in the tile

@@ -27,19 +27,19 @@ struct Pixel {
   int y = 0;
   PixelKind kind = PixelKind::background;
   PixelSampler sampler;
-  std::uint32_t shadow_lights = 0;     ///< bit i: the figure may occlude light i from its floor
+  std::uint32_t shadow_lights = 0;     ///< bit i: its floor samples cast shadow rays to light i
   Color floor_shadow = Color::Zero();  ///< light that its floor lacks, if that is shared
   SkyRays floor_sky;                   ///< rays by which its floor samples the occluded sky
   Color background = Color::Zero();    ///< radiance of the static background
   Color floor_albedo = Color::Zero();  ///< of the static background; black where it has no floor
   int background_samples = 0;          ///< samples that show the static background
+  int floor_samples = 0;               ///< those of them that show its floor
   int covered = 0;                     ///< samples that show the figure
 
   // Sums over the samples. Light that is known at once and light found by rays later are summed
   // separately, so that each sum is always taken in the same order.
   Color known_figure = Color::Zero();  ///< light from the figure
-  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own
-                                       ///< set, and shadows that are shared
+  Color known_set = Color::Zero();     ///< light from the set, of samples that render their own set
   Color figure = Color::Zero();        ///< light of the figure that shadow rays add or subtract,
                                        ///< and occlusion that is shared
   Color set = Color::Zero();           ///< light of the set that shadow rays add or subtract

@@ -21,26 +21,21 @@ void SharedOcclusion::set_row(int number, std::span<const Found> found) {
   std::vector<Found> of_floor, of_figure;
   for (const Found& one : found) (one.part == floor_part ? of_floor : of_figure).push_back(one);
   if (!of_floor.empty()) set_floor_row(of_floor, floor_rows_[place]);
-  if (!of_figure.empty()) set_figure_row(of_figure, rows_[place]);
+  if (!of_figure.empty()) set_figure_row(of_figure, figure_rows_[place]);
 }
 
-void SharedOcclusion::set_floor_row(std::span<const Found> found, FloorRow& row) {
+void SharedOcclusion::set_floor_row(std::span<const Found> found, FloorSamples& row) {
   row.begin = found.front().x;
-  row.columns = found.back().x - row.begin + 1;
-  for (auto* list : {&row.red, &row.green, &row.blue, &row.samples})
-    list->resize(static_cast<std::size_t>(row.columns) + lanes);
-  for (const Found& one : found) {
-    const auto column = static_cast<std::size_t>(one.x - row.begin);
-    row.red[column] += one.occluded[0];
-    row.green[column] += one.occluded[1];
-    row.blue[column] += one.occluded[2];
-    row.samples[column] += 1.0f;
-  }
+  row.columns.assign(static_cast<std::size_t>(found.back().x - row.begin) + 1,
+                     Eigen::Array4f::Zero());
+  for (const Found& one : found)
+    row.columns[static_cast<std::size_t>(one.x - row.begin)] +=
+        Eigen::Array4f(one.occluded[0], one.occluded[1], one.occluded[2], 1.0f);
 }
 
-void SharedOcclusion::set_figure_row(std::span<const Found> found, Row& row) {
+void SharedOcclusion::set_figure_row(std::span<const Found> found, FigureSamples& row) {
   const std::size_t size = found.size() + lanes;  // at most
-  row.values.resize(Row::lists * size);
+  row.values.resize(FigureSamples::lists * size);
   row.parts.resize(size);
   row.begin = found.front().x;
   row.first.resize(static_cast<std::size_t>(found.back().x - row.begin) + 2);
@@ -56,14 +51,14 @@ void SharedOcclusion::set_figure_row(std::span<const Found> found, Row& row) {
     std::size_t entry = first;
     while (entry < count && row.parts[entry] != one.part) ++entry;
     if (entry == count) row.parts[count++] = one.part;
-    const float values[Row::lists] = {one.normal.x(),
-                                      one.normal.y(),
-                                      one.normal.z(),
-                                      one.occluded[0],
-                                      one.occluded[1],
-                                      one.occluded[2],
-                                      1.0f};
-    for (std::size_t list = 0; list < Row::lists; ++list)
+    const float values[FigureSamples::lists] = {one.normal.x(),
+                                                one.normal.y(),
+                                                one.normal.z(),
+                                                one.occluded[0],
+                                                one.occluded[1],
+                                                one.occluded[2],
+                                                1.0f};
+    for (std::size_t list = 0; list < FigureSamples::lists; ++list)
       row.values[list * size + entry] += values[list];
   }
   row.first.back() = static_cast<int>(count);
@@ -78,18 +73,21 @@ void SharedOcclusion::set_figure_row(std::span<const Found> found, Row& row) {
 
 // Weights are 1 for equal normals, and 0 from 60° on. Sums have eight parts, so that they are the
 // same on every machine.
-[[gnu::always_inline]] inline void SharedOcclusion::add(const Neighbours& near, Sums& sums) {
-  const float x = near.normal.x(), y = near.normal.y(), z = near.normal.z();
-  const float offset = near.offset;
-  const int part = near.part;
-  for (int begin = near.begin; begin < near.end; begin += static_cast<int>(lanes)) {
-    const Row& row = near.row;
-    const float *nx = row.at(Row::normal_x, begin), *ny = row.at(Row::normal_y, begin),
-                *nz = row.at(Row::normal_z, begin), *red = row.at(Row::red, begin),
-                *green = row.at(Row::green, begin), *blue = row.at(Row::blue, begin),
-                *samples = row.at(Row::samples, begin);
+[[gnu::always_inline]] inline void SharedOcclusion::add(const FigureSamples& row, int first,
+                                                        int last, const Look& look, Sums& sums) {
+  const float x = look.normal.x(), y = look.normal.y(), z = look.normal.z();
+  const float offset = look.offset;
+  const int part = look.part;
+  for (int begin = first; begin < last; begin += static_cast<int>(lanes)) {
+    const float *nx = row.at(FigureSamples::normal_x, begin),
+                *ny = row.at(FigureSamples::normal_y, begin),
+                *nz = row.at(FigureSamples::normal_z, begin),
+                *red = row.at(FigureSamples::red, begin),
+                *green = row.at(FigureSamples::green, begin),
+                *blue = row.at(FigureSamples::blue, begin),
+                *samples = row.at(FigureSamples::samples, begin);
     const int* parts = &row.parts[static_cast<std::size_t>(begin)];
-    const int count = near.end - begin;
+    const int count = last - begin;
 #pragma omp simd
     for (int i = 0; i < static_cast<int>(lanes); ++i) {
       const float above = 2.0f * (x * nx[i] + y * ny[i] + z * nz[i]) + offset;
@@ -103,58 +101,49 @@ void SharedOcclusion::set_figure_row(std::span<const Found> found, Row& row) {
   }
 }
 
-std::optional<Color> SharedOcclusion::mean_of(const Sums& sums) {
+// Pixels without samples add zeros: so sums are the same wherever a row begins.
+std::optional<Color> SharedOcclusion::floor_mean(int x, int y, int reach) const {
+  Eigen::Array4f sum = Eigen::Array4f::Zero();
+  const int last_row = std::min(y + reach, static_cast<int>(floor_rows_.size()) - 1);
+  for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
+    const FloorSamples& row = floor_rows_[static_cast<std::size_t>(number)];
+    const int begin = std::max(x - reach - row.begin, 0);
+    const int end = std::min(x + reach + 1 - row.begin, static_cast<int>(row.columns.size()));
+    for (int column = begin; column < end; ++column)
+      sum += row.columns[static_cast<std::size_t>(column)];
+  }
+  if (!(sum[3] > 0.0f)) return std::nullopt;
+  return Color(sum.head<3>() / sum[3]);
+}
+
+Color SharedOcclusion::on_floor(int x, int y) const {
+  if (const auto near = floor_mean(x, y, floor_reach_)) return *near;
+  return floor_mean(x, y, 2 * floor_reach_).value_or(Color::Zero());
+}
+
+MIEN_FOR_AVX2_TOO std::optional<Color> SharedOcclusion::figure_mean(int x, int y, int reach,
+                                                                    const Look& look) const {
+  Sums sums;
+  const int last_row = std::min(y + reach, static_cast<int>(figure_rows_.size()) - 1);
+  for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
+    const FigureSamples& row = figure_rows_[static_cast<std::size_t>(number)];
+    if (row.first.empty()) continue;
+    const int last = static_cast<int>(row.first.size()) - 1;
+    const int column = x - row.begin;
+    const auto from = static_cast<std::size_t>(std::clamp(column - reach, 0, last));
+    const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
+    if (row.first[from] < row.first[to]) add(row, row.first[from], row.first[to], look, sums);
+  }
   const float samples = sum_of(sums.samples);
   if (!(samples > 0.0f)) return std::nullopt;
   return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
 }
 
-MIEN_FOR_AVX2_TOO Color SharedOcclusion::on_floor(int x, int y) const {
-  Sums sums;
-  const int last_row = std::min(y + floor_reach_, static_cast<int>(floor_rows_.size()) - 1);
-  for (int number = std::max(y - floor_reach_, 0); number <= last_row; ++number) {
-    const FloorRow& row = floor_rows_[static_cast<std::size_t>(number)];
-    const int begin = std::max(x - floor_reach_ - row.begin, 0);
-    const int end = std::min(x + floor_reach_ + 1 - row.begin, row.columns);
-    for (int column = begin; column < end; column += static_cast<int>(lanes)) {
-      const float *red = &row.red[static_cast<std::size_t>(column)],
-                  *green = &row.green[static_cast<std::size_t>(column)],
-                  *blue = &row.blue[static_cast<std::size_t>(column)],
-                  *samples = &row.samples[static_cast<std::size_t>(column)];
-      const int count = end - column;
-#pragma omp simd
-      for (int i = 0; i < static_cast<int>(lanes); ++i) {
-        const float weight = i < count ? 1.0f : 0.0f;
-        sums.red.lane[i] += weight * red[i];
-        sums.green.lane[i] += weight * green[i];
-        sums.blue.lane[i] += weight * blue[i];
-        sums.samples.lane[i] += weight * samples[i];
-      }
-    }
-  }
-  return mean_of(sums).value_or(Color::Zero());
-}
-
-MIEN_FOR_AVX2_TOO Color SharedOcclusion::on_figure(int x, int y, int part,
-                                                   const Vec3& normal) const {
-  const int reach = figure_reach_;
-  const int last_row = std::min(y + reach, static_cast<int>(rows_.size()) - 1);
-  const auto mean = [&](const Vec3& direction, float offset) -> std::optional<Color> {
-    Sums sums;
-    for (int number = std::max(y - reach, 0); number <= last_row; ++number) {
-      const Row& row = rows_[static_cast<std::size_t>(number)];
-      if (row.first.empty()) continue;
-      const int last = static_cast<int>(row.first.size()) - 1;
-      const int column = x - row.begin;
-      const auto from = static_cast<std::size_t>(std::clamp(column - reach, 0, last));
-      const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
-      if (row.first[from] < row.first[to])
-        add({row, row.first[from], row.first[to], part, direction, offset}, sums);
-    }
-    return mean_of(sums);
-  };
-  if (const auto alike = mean(normal.normalized(), -1.0f)) return *alike;
-  return mean(Vec3::Zero(), 1.0f).value_or(Color::Zero());
+Color SharedOcclusion::on_figure(int x, int y, int part, const Vec3& normal) const {
+  const Look alike{part, normal.normalized(), -1.0f}, any{part, Vec3::Zero(), 1.0f};
+  if (const auto found = figure_mean(x, y, figure_reach_, alike)) return *found;
+  if (const auto found = figure_mean(x, y, figure_reach_, any)) return *found;
+  return figure_mean(x, y, 2 * figure_reach_, any).value_or(Color::Zero());
 }
 
 }  // namespace mien::render

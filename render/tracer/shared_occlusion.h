@@ -14,9 +14,10 @@ namespace mien::render {
 /// samples before the picture is rendered (occlusion_rays.h). Pixels take it from what was found
 /// for the same surface nearby: with so few rays of its own, each would be a dark dot or none.
 ///
-/// What is nearby are pixels whose rows and columns differ by no more than the reach. They count as
-/// of the same surface if they show the same part and their normals differ by less than 60°; those
-/// with similar normals count most.
+/// What is nearby are pixels whose rows and columns differ by no more than the reach or, if none of
+/// them has the surface, by no more than twice the reach. On figures, they count as of the same
+/// surface if they show the same part and their normals differ by less than 60°; those with similar
+/// normals count most.
 class SharedOcclusion {
  public:
   /// The part (index into Scene::parts) of the floor.
@@ -26,7 +27,7 @@ class SharedOcclusion {
   struct Found {
     int x;                           ///< the sample's pixel in its row
     int part;                        ///< index into Scene::parts, or floor_part
-    Vec3 normal;                     ///< unit
+    Vec3 normal;                     ///< unit; of no account on the floor
     Color occluded = Color::Zero();  ///< on figures, as a share of the sky's light; on the floor,
                                      ///< irradiance divided by π
   };
@@ -38,8 +39,8 @@ class SharedOcclusion {
   SharedOcclusion(int height, int figure_reach, int floor_reach)
       : figure_reach_(figure_reach),
         floor_reach_(floor_reach),
-        rows_(static_cast<std::size_t>(height)),
-        floor_rows_(rows_.size()) {}
+        figure_rows_(static_cast<std::size_t>(height)),
+        floor_rows_(figure_rows_.size()) {}
 
   /// Sets what was found in a row, pixel by pixel from the left. Several threads may set different
   /// rows.
@@ -55,9 +56,10 @@ class SharedOcclusion {
   Color on_figure(int x, int y, int part, const Vec3& normal) const;
 
  private:
-  /// A list per quantity, of entries from left to right: sums over what was found for one part in a
-  /// pixel. Eight more values follow each list, so that eight can be read from any entry on.
-  struct Row {
+  /// What was found on figures: a list per quantity, of entries from left to right: sums over what
+  /// was found for one part in a pixel. Eight more values follow each list, so that eight can be
+  /// read from any entry on.
+  struct FigureSamples {
     enum List { normal_x, normal_y, normal_z, red, green, blue, samples, lists };
 
     std::vector<float> values;  // list after list
@@ -70,19 +72,15 @@ class SharedOcclusion {
     }
   };
   /// What was found on the floor, column by column from `begin` on: sums over the samples of a
-  /// pixel. Eight more values follow each list.
-  struct FloorRow {
+  /// pixel, of red, green and blue, and their number.
+  struct FloorSamples {
     int begin = 0;
-    int columns = 0;
-    std::vector<float> red, green, blue, samples;
+    std::vector<Eigen::Array4f> columns;
   };
-  /// Entries of a row that are near a place, and what they must show.
-  struct Neighbours {
-    const Row& row;
-    int begin;
-    int end;
+  /// What neighbours must show. Their weights are squares of twice the cosine to this normal plus
+  /// the offset, if that is positive.
+  struct Look {
     int part;
-    // Weights are squares of twice the cosine to this normal plus the offset, if that is positive.
     Vec3 normal;
     float offset;
   };
@@ -91,15 +89,16 @@ class SharedOcclusion {
     LaneFloats red, green, blue, samples;
   };
 
-  static void add(const Neighbours& near, Sums& sums);
-  static std::optional<Color> mean_of(const Sums& sums);
-  static void set_figure_row(std::span<const Found> found, Row& row);
-  static void set_floor_row(std::span<const Found> found, FloorRow& row);
+  static void add(const FigureSamples& row, int begin, int end, const Look& look, Sums& sums);
+  static void set_figure_row(std::span<const Found> found, FigureSamples& row);
+  static void set_floor_row(std::span<const Found> found, FloorSamples& row);
+  std::optional<Color> floor_mean(int x, int y, int reach) const;
+  std::optional<Color> figure_mean(int x, int y, int reach, const Look& look) const;
 
   int figure_reach_ = 0;  // pixels
   int floor_reach_ = 0;
-  std::vector<Row> rows_;
-  std::vector<FloorRow> floor_rows_;
+  std::vector<FigureSamples> figure_rows_;
+  std::vector<FloorSamples> floor_rows_;
 };
 
 }  // namespace mien::render

@@ -119,11 +119,11 @@ void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& ca
       const BackgroundLight background =
           is_known ? BackgroundLight{Eigen::Map<const Color>(canvas.color(x, y)), true}
                    : planner_.background_at(x, y);
-      if (plan.shows_background_only() && background.complete) {
-        write(x, y, Color::Zero(), background.radiance, 0.0f, canvas);
-      } else if (plan.kind == PixelKind::background && background.complete && writes_background_ &&
-                 shares_floor_) {
-        write(x, y, Color::Zero(), background.radiance - shared_floor_shadow(x, y), 0.0f, canvas);
+      if (plan.kind == PixelKind::background && background.complete &&
+          (plan.shadow_lights == 0 || shares_floor_)) {
+        const Color shadow =
+            plan.shadow_lights != 0 ? shared_floor_shadow(x, y) : Color(Color::Zero());
+        write(x, y, Color::Zero(), background.radiance - shadow, 0.0f, canvas);
       } else {
         add_pixel(x, y, plan, background);
       }
@@ -149,7 +149,7 @@ void TileRenderer::add_pixel(int x, int y, const PixelPlan& plan,
     return;
   }
   pixel.background_samples = samples_;
-  pixel.known_set = -static_cast<float>(samples_) * pixel.floor_shadow;
+  pixel.floor_samples = samples_;
   const int needed = pixel.shadow_lights != 0 ? samples_ : pixel.floor_sky.rays;
   for (int i = 0; i < needed; ++i) floor_samples_.push_back(sample_at(prepared_, pixel, i));
 }
@@ -236,18 +236,19 @@ void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, i
                             sample.pixel->sampler);
     shadow_points_.push_back(solid);
   } else if (const std::optional<Vec3> point = floor_point(rays, ray)) {
+    ++sample.pixel->floor_samples;
     add_floor(sample, *point);
   }
 }
 
 // Adds a point of the floor of the static background.
 void TileRenderer::add_floor(const Sample& sample, const Vec3& point) {
-  Pixel& pixel = *sample.pixel;
-  if (pixel.kind == PixelKind::traced) pixel.known_set -= pixel.floor_shadow;
+  const Pixel& pixel = *sample.pixel;
+  if (pixel.shadow_lights == 0 && sample.index >= pixel.floor_sky.rays) return;
   ShadingPoint floor{sample, floor_surface(point, pixel.floor_albedo)};
   floor.lights = pixel.shadow_lights;
   floor.sky = pixel.floor_sky;
-  if (floor.lights != 0 || sample.index < floor.sky.rays) shadow_points_.push_back(floor);
+  shadow_points_.push_back(floor);
 }
 
 // Light that is occluded is subtracted later from what rays show where there is no solid. Where all
@@ -291,7 +292,8 @@ void TileRenderer::resolve(const Canvas& canvas) {
   for (const Pixel& pixel : pixels_) {
     const Color background =
         (share * static_cast<float>(pixel.background_samples)) * pixel.background +
-        share * (pixel.known_set + pixel.set);
+        share * (pixel.known_set + pixel.set -
+                 static_cast<float>(pixel.floor_samples) * pixel.floor_shadow);
     write(pixel.x, pixel.y, share * (pixel.known_figure + pixel.figure), background,
           share * static_cast<float>(pixel.covered), canvas);
   }

@@ -4,8 +4,8 @@
 //   shadow_noise FRAMES REFERENCE [light|sky [FILE.png]]
 //
 // light: under their light alone, with shadow rays of each pixel, and with fewer that neighbouring
-// pixels share. sky: under their sky alone, looked at from each pixel near the feet, and from points
-// between which it is interpolated.
+// pixels share. sky: under their sky alone, looked at from each pixel near the feet, and from
+// points between which it is interpolated.
 //
 // For each number of samples: processor seconds a frame, the RMS error of linear RGB against
 // REFERENCE samples where neither picture shows the figure, and the flicker, the RMS by which that

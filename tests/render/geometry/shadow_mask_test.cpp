@@ -1,9 +1,6 @@
 #include "render/geometry/shadow_mask.h"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -286,7 +286,7 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
                 crop(Tracer().trace(scene, camera, few), window));
     }
   }
-  scene.figures[0].opacity = 0.7f;  // shadows on the floor are shared, too
+  scene.figures[0].opacity = 0.7f;
   for (const Window& window : {Window{32, 32, 16, 16}, Window{48, 32, 16, 16}}) {
     cropped.window = window;
     for (const Quality& quality : {draft_quality(), standard_quality()})

@@ -181,6 +181,9 @@ TEST(FloorSky, IsSmoothBesideFeetAndNotFarFromWhatItIs) {
   EXPECT_NEAR(print.off, 0.0, 0.0015);
 }
 
+// Each pixel with shadow rays that it shares with no other.
+const Quality own{.floor_sharing_pixels = 0};
+
 TEST(FloorLight, IsNoneWhereTheFigureHidesTheLight) {
   Scene scene = bare_floor(0.5f);
   scene.sky = {};
@@ -189,7 +192,7 @@ TEST(FloorLight, IsNoneWhereTheFigureHidesTheLight) {
   const Camera camera = camera_on(Vec3::Zero(), {3.0f, 0.3f, 0.0f});
   const double lit = radiance_at(scene, camera, {}, 1).mean();
   scene.solids.spheres = {{.centre = {0.0f, 1.2f, 0.0f}, .radius = 1.0f}};
-  expect_mean(radiance_at(scene, camera, {}, 8), 0.0, 1e-3 * lit, 1e-3 * lit);
+  expect_mean(radiance_at(scene, camera, own, 8), 0.0, 1e-3 * lit, 1e-3 * lit);
 }
 
 // A ball on the line to the light's middle, small enough that the light's rim shows round it: its
@@ -207,7 +210,7 @@ TEST(FloorLight, IsWhatTheFigureLeavesOfTheLight) {
   const double whole = radiance_at(unhidden, camera, {}, 1).mean();
   const double expected = whole - 0.5 * 20.0 * hidden;
   EXPECT_LT(expected, 0.8 * whole);
-  expect_mean(radiance_at(scene, camera, {}, 16), expected, 1e-3 * whole, 1e-3 * whole);
+  expect_mean(radiance_at(scene, camera, own, 16), expected, 1e-3 * whole, 1e-3 * whole);
 }
 
 }  // namespace
