@@ -8,6 +8,7 @@ Quality draft_quality() {
   quality.sky_rays = 1;
   quality.samples_shaded_together = 2;
   quality.sky_sharing_pixels = 3;
+  quality.floor_sharing_pixels = 2;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
   quality.floor_sky_tolerance = 0.032f;

@@ -28,8 +28,8 @@ struct Quality {
   int sky_sharing_pixels = 2;
   /// As above for what shadow rays find occluded of the area lights on the floor. Has no effect if
   /// the camera moves or has an aperture.
-  int floor_sharing_pixels = 2;
-  /// Where samples share, one of so many casts rays, and two where the floor may be shadowed.
+  int floor_sharing_pixels = 1;
+  /// On figures, one of so many samples casts rays for what is shared; on the floor, each does.
   int samples_per_shared_ray = 6;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 

@@ -46,8 +46,8 @@ inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 inline constexpr BiasBound figure_sky_bias{0.04, 0.02, 0.0};
 
 /// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts and standard
-/// quality, shadows are blurred by 2 pixels.
-inline constexpr BiasBound floor_shadow_bias{0.02, 0.02, 0.0};
+/// quality, shadows are blurred by 2 and 1 pixels.
+inline constexpr BiasBound floor_shadow_bias{0.02, 0.01, 0.0};
 
 /// Every quantity of which a picture is made. The model is that of the reference: Lambert surfaces
 /// with a GGX lobe, direct light of area lights and a sky. Tests named Contract cover draft,
