@@ -49,7 +49,7 @@ class OcclusionFinder {
            (everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y));
   }
   void find(const Tile& tile);
-  void add_pixel(int x, int y, std::uint32_t lights);
+  void add_pixel(int x, int y, std::uint32_t lights, bool may_show_figure);
   void cast();
   void place();
   void find_sky();
@@ -66,10 +66,12 @@ class OcclusionFinder {
   PixelPlanner planner_;
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
+  bool may_hit_ = false;  // any of the samples may show a solid
   RayPacket rays_;
   std::array<Point*, packet_size> ray_points_;
   std::array<Color, packet_size> ray_light_;
-  std::array<std::vector<SharedOcclusion::Found>, tile_size> rows_;
+  std::array<std::vector<SharedOcclusion::Found>, tile_size> figure_rows_;
+  std::array<std::vector<SharedOcclusion::Found>, tile_size> floor_rows_;
 };
 
 void OcclusionFinder::find_in(const Tile& band) {
@@ -79,8 +81,10 @@ void OcclusionFinder::find_in(const Tile& band) {
   for (int x = band.x_begin; x < band.x_end; x += tile_size)
     find({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end});
   cast();
-  for (int y = band.y_begin; y < band.y_end; ++y)
-    shared_.set_row(y, rows_[static_cast<std::size_t>(y % tile_size)]);
+  for (int y = band.y_begin; y < band.y_end; ++y) {
+    shared_.set_figure_row(y, figure_rows_[static_cast<std::size_t>(y % tile_size)]);
+    shared_.set_floor_row(y, floor_rows_[static_cast<std::size_t>(y % tile_size)]);
+  }
 }
 
 void OcclusionFinder::find(const Tile& tile) {
@@ -91,13 +95,13 @@ void OcclusionFinder::find(const Tile& tile) {
     const PixelPlan* plans = shadowed ? planner_.plan_row(y).data() : nullptr;
     for (int x = tile.x_begin; x < tile.x_end; ++x) {
       const std::uint32_t lights = shadowed ? plans[x - tile.x_begin].shadow_lights : 0;
-      if (lights != 0 || (of_figure_ && (everywhere_ || prepared_.pixel_mask.may_intersect(x, y))))
-        add_pixel(x, y, lights);
+      const bool figure = everywhere_ || prepared_.pixel_mask.may_intersect(x, y);
+      if (lights != 0 || (of_figure_ && figure)) add_pixel(x, y, lights, figure);
     }
   }
 }
 
-void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
+void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights, bool may_show_figure) {
   // Every n-th sample of the sequence that all pixels share: pixels with fewer samples take turns.
   // The edges of shadows on the floor need them all.
   const auto every =
@@ -114,6 +118,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights) {
     point.sample = sample_at(prepared_, point.pixel, static_cast<int>(i));
     point.index = sampler.index(static_cast<int>(i)) / every;
     point.found = {x, nothing, Vec3::UnitY()};
+    may_hit_ |= may_show_figure || prepared_.static_solids != nullptr;
     if (++count_ == lanes) cast();
   }
 }
@@ -123,10 +128,14 @@ void OcclusionFinder::cast() {
   place();
   if (of_figure_) find_sky();
   for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);
-  for (std::size_t i = 0; i < count_; ++i)
-    if (points_[i].found.part != nothing)
-      rows_[static_cast<std::size_t>(points_[i].pixel.y % tile_size)].push_back(points_[i].found);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const SharedOcclusion::Found& found = points_[i].found;
+    auto& rows = found.part == SharedOcclusion::floor_part ? floor_rows_ : figure_rows_;
+    if (found.part != nothing)
+      rows[static_cast<std::size_t>(points_[i].pixel.y % tile_size)].push_back(found);
+  }
   count_ = 0;
+  may_hit_ = false;
 }
 
 // Finds the surfaces that the samples show.
@@ -134,7 +143,8 @@ void OcclusionFinder::place() {
   std::array<Sample, lanes> samples;
   for (std::size_t i = 0; i < count_; ++i) samples[i] = points_[i].sample;
   const RayPacket rays = camera_rays(prepared_, {samples.data(), count_});
-  const auto hits = first_hits(prepared_, rays);
+  std::array<FirstHit, packet_size> hits;
+  if (may_hit_) hits = first_hits(prepared_, rays);
   for (std::size_t i = 0; i < count_; ++i) {
     const int ray = static_cast<int>(i);
     Point& point = points_[i];

@@ -16,15 +16,9 @@ float sum_of(const LaneFloats& values) {
 
 }  // namespace
 
-void SharedOcclusion::set_row(int number, std::span<const Found> found) {
-  const auto place = static_cast<std::size_t>(number);
-  std::vector<Found> of_floor, of_figure;
-  for (const Found& one : found) (one.part == floor_part ? of_floor : of_figure).push_back(one);
-  if (!of_floor.empty()) set_floor_row(of_floor, floor_rows_[place]);
-  if (!of_figure.empty()) set_figure_row(of_figure, figure_rows_[place]);
-}
-
-void SharedOcclusion::set_floor_row(std::span<const Found> found, FloorSamples& row) {
+void SharedOcclusion::set_floor_row(int number, std::span<const Found> found) {
+  if (found.empty()) return;
+  FloorSamples& row = floor_rows_[static_cast<std::size_t>(number)];
   row.begin = found.front().x;
   row.columns.assign(static_cast<std::size_t>(found.back().x - row.begin) + 1,
                      Eigen::Array4f::Zero());
@@ -33,7 +27,9 @@ void SharedOcclusion::set_floor_row(std::span<const Found> found, FloorSamples& 
         Eigen::Array4f(one.occluded[0], one.occluded[1], one.occluded[2], 1.0f);
 }
 
-void SharedOcclusion::set_figure_row(std::span<const Found> found, FigureSamples& row) {
+void SharedOcclusion::set_figure_row(int number, std::span<const Found> found) {
+  if (found.empty()) return;
+  FigureSamples& row = figure_rows_[static_cast<std::size_t>(number)];
   const std::size_t size = found.size() + lanes;  // at most
   row.values.resize(FigureSamples::lists * size);
   row.parts.resize(size);

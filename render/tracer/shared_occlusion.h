@@ -42,9 +42,10 @@ class SharedOcclusion {
         figure_rows_(static_cast<std::size_t>(height)),
         floor_rows_(figure_rows_.size()) {}
 
-  /// Sets what was found in a row, pixel by pixel from the left. Several threads may set different
+  /// Set what was found in a row, pixel by pixel from the left. Several threads may set different
   /// rows.
-  void set_row(int number, std::span<const Found> found);
+  void set_figure_row(int number, std::span<const Found> found);
+  void set_floor_row(int number, std::span<const Found> found);
 
   /// Returns the light that is occluded in a pixel from the floor, as for Found; black if no floor
   /// was found nearby.
@@ -90,8 +91,6 @@ class SharedOcclusion {
   };
 
   static void add(const FigureSamples& row, int begin, int end, const Look& look, Sums& sums);
-  static void set_figure_row(std::span<const Found> found, FigureSamples& row);
-  static void set_floor_row(std::span<const Found> found, FloorSamples& row);
   std::optional<Color> floor_mean(int x, int y, int reach) const;
   std::optional<Color> figure_mean(int x, int y, int reach, const Look& look) const;
 

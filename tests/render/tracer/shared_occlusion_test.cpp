@@ -28,11 +28,19 @@ SharedOcclusion::Found found(int x, int part, const Vec3& normal, float share) {
   return {x, part, normal, Color::Constant(share)};
 }
 
+void set_row(SharedOcclusion& shared, int y, const std::vector<SharedOcclusion::Found>& found) {
+  std::vector<SharedOcclusion::Found> figure, floor;
+  for (const SharedOcclusion::Found& one : found)
+    (one.part == SharedOcclusion::floor_part ? floor : figure).push_back(one);
+  shared.set_figure_row(y, figure);
+  shared.set_floor_row(y, floor);
+}
+
 /// What pixels of a column share: of one sample each, that of row `dark` lacks all light.
 SharedOcclusion column_of(int part, int dark) {
   SharedOcclusion shared = sharing_rows(10);
   for (int y = 0; y < 10; ++y)
-    shared.set_row(y, {{found(4, part, Vec3::UnitY(), y == dark ? 1.0f : 0.0f)}});
+    set_row(shared, y, {found(4, part, Vec3::UnitY(), y == dark ? 1.0f : 0.0f)});
   return shared;
 }
 
@@ -55,8 +63,9 @@ TEST(SharedOcclusion, IsTheMeanWithinItsReach) {
 
 TEST(SharedOcclusion, ReachesTwiceAsFarWhereNothingIsNear) {
   SharedOcclusion shared = sharing_rows(20);
-  shared.set_row(10, {{found(10, 3, Vec3::UnitY(), 0.5f),
-                       found(10, SharedOcclusion::floor_part, Vec3::UnitY(), 0.25f)}});
+  set_row(shared, 10,
+          {found(10, 3, Vec3::UnitY(), 0.5f),
+           found(10, SharedOcclusion::floor_part, Vec3::UnitY(), 0.25f)});
   EXPECT_EQ(shared.on_figure(10, 10 + 2 * figure_reach, 3, Vec3::UnitY())[0], 0.5f);
   EXPECT_EQ(shared.on_figure(11 + 2 * figure_reach, 10, 3, Vec3::UnitY())[0], 0.0f);
   EXPECT_EQ(shared.on_floor(10 - 2 * floor_reach, 10)[0], 0.25f);
@@ -76,10 +85,10 @@ TEST(SharedOcclusion, DoesNotDependOnWhatIsFarAway) {
                        surface,
                        Vec3(unit(random), 1.0f, 0.0f).normalized(),
                        {unit(random), unit(random), unit(random)}});
-    part.set_row(y, row);
+    set_row(part, y, row);
     for (const int surface : {3, SharedOcclusion::floor_part})
       row.insert(row.begin(), {y, surface, Vec3::UnitY(), Color::Constant(unit(random))});
-    whole.set_row(y, row);
+    set_row(whole, y, row);
   }
   for (int y = 0; y < 12; ++y)
     for (int x = 30; x < 50; ++x) {
@@ -94,15 +103,15 @@ TEST(SharedOcclusion, IsBlackWhereNothingWasFound) {
   const SharedOcclusion nothing;
   EXPECT_TRUE((nothing.on_figure(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
   SharedOcclusion shared = sharing_rows(4);
-  shared.set_row(2, {});
+  set_row(shared, 2, {});
   EXPECT_TRUE((shared.on_figure(3, 3, 0, Vec3::UnitY()) == 0.0f).all());
 }
 
 TEST(SharedOcclusion, IsOfOneSurface) {
   SharedOcclusion shared = sharing_rows(3);
-  shared.set_row(0, {{found(0, 3, Vec3::UnitZ(), 1.0f)}});
-  shared.set_row(1, {{found(0, 4, Vec3::UnitZ(), 0.0f)}});
-  shared.set_row(2, {{found(0, 3, Vec3::UnitX(), 0.25f)}});
+  set_row(shared, 0, {found(0, 3, Vec3::UnitZ(), 1.0f)});
+  set_row(shared, 1, {found(0, 4, Vec3::UnitZ(), 0.0f)});
+  set_row(shared, 2, {found(0, 3, Vec3::UnitX(), 0.25f)});
   EXPECT_FLOAT_EQ(shared.on_figure(0, 0, 3, Vec3::UnitZ())[0], 1.0f);
   EXPECT_EQ(shared.on_figure(0, 1, 4, Vec3::UnitZ())[0], 0.0f) << "another part";
   EXPECT_FLOAT_EQ(shared.on_figure(0, 2, 3, Vec3::UnitX())[0], 0.25f) << "another side of the part";
@@ -142,7 +151,7 @@ TEST(SharedOcclusion, IsTheMeanWeightedByNormalsOfAllSamplesNearby) {
         group.samples += 1.0f;
       }
     }
-    shared.set_row(y, row);
+    set_row(shared, y, row);
   }
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
