@@ -29,8 +29,10 @@ struct Quality {
   /// As above for what shadow rays find occluded of the area lights on the floor. Has no effect if
   /// the camera moves or has an aperture.
   int floor_sharing_pixels = 1;
-  /// On figures, one of so many samples casts rays for what is shared; on the floor, each does.
-  int samples_per_shared_ray = 6;
+  /// Of the samples that share, one of so many casts rays: on figures, and on the floor where the
+  /// figure may occlude a light.
+  int figure_samples_per_ray = 6;
+  int floor_samples_per_ray = 2;
   int static_samples = 64;  ///< samples per pixel for static solids, rendered once per camera
 
   /// A figure's occlusion of the sky, as seen from the floor, is sampled at grid points. At each

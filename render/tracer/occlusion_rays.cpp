@@ -103,9 +103,9 @@ void OcclusionFinder::find(const Tile& tile) {
 
 void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights, bool may_show_figure) {
   // Every n-th sample of the sequence that all pixels share: pixels with fewer samples take turns.
-  // The edges of shadows on the floor need them all.
-  const auto every =
-      lights != 0 ? 1u : static_cast<std::uint32_t>(prepared_.quality.samples_per_shared_ray);
+  const Quality& quality = prepared_.quality;
+  const auto every = static_cast<std::uint32_t>(lights != 0 ? quality.floor_samples_per_ray
+                                                            : quality.figure_samples_per_ray);
   const PixelSampler sampler = prepared_.sampler.for_pixel(x, y);
   const std::uint32_t first = (every - sampler.index(0) % every) % every;
   for (std::uint32_t i = first; i < static_cast<std::uint32_t>(prepared_.quality.samples_per_pixel);

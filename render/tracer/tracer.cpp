@@ -18,7 +18,8 @@ void check(const Quality& quality) {
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
   constexpr int farthest = 64;  // pixels
   for (const int reach : {quality.sky_sharing_pixels, quality.floor_sharing_pixels})
-    if (reach < 0 || reach > farthest || quality.samples_per_shared_ray < 1)
+    if (reach < 0 || reach > farthest || quality.figure_samples_per_ray < 1 ||
+        quality.floor_samples_per_ray < 1)
       throw std::invalid_argument(
           "quality: occlusion can be shared within 0 to 64 pixels, with 1 or more samples per "
           "shared ray");
