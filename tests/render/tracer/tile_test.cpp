@@ -117,7 +117,7 @@ TEST(FloorSky, IsInterpolatedWithoutVisibleError) {
     quality.floor_sky_noise = 0.001f;
     const test::SampleMean found = mean_radiance_at(scene, few, quality, 100);
     SCOPED_TRACE(point.transpose());
-    expect_mean(found, 0.8 * (1.0 - hidden), 0.0015, 0.8 * 0.001);
+    expect_mean(found, 0.8 * (1.0 - hidden), 0.0005, 0.8 * 0.001);
   }
 }
 
