@@ -293,6 +293,18 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
       EXPECT_EQ(Tracer().trace(scene, cropped, quality),
                 crop(Tracer().trace(scene, camera, quality), window));
   }
+  // So few rays that many pixels look twice as far for others that found something; the rims of
+  // tiles lie between one and two reaches beyond the window.
+  cropped.window = Window{35, 35, 26, 26};
+  for (const int reach : {2, 3}) {
+    const Quality sparse{.samples_per_pixel = 4,
+                         .sky_sharing_pixels = reach,
+                         .floor_sharing_pixels = reach,
+                         .figure_samples_per_ray = 150,
+                         .floor_samples_per_ray = 150};
+    EXPECT_EQ(Tracer().trace(scene, cropped, sparse),
+              crop(Tracer().trace(scene, camera, sparse), *cropped.window));
+  }
   cropped.window = Window{37, 21, 30, 29};
   const Quality quality{.samples_per_pixel = 4};
   const Layers whole = crop(Tracer().layers(scene, camera, quality), *cropped.window);
