@@ -7,7 +7,8 @@ Quality draft_quality() {
   quality.samples_per_pixel = 2;
   quality.sky_rays = 1;
   quality.samples_shaded_together = 2;
-  quality.sky_sharing_pixels = 3;
+  quality.figure_sharing_pixels = 3;
+  quality.figure_shares_lights = true;
   quality.floor_sharing_pixels = 2;
   quality.static_samples = 16;
   quality.floor_sky_noise = 0.032f;
@@ -21,7 +22,7 @@ Quality standard_quality() { return {}; }
 Quality final_quality() {
   Quality quality;
   quality.samples_per_pixel = 128;
-  quality.sky_sharing_pixels = quality.floor_sharing_pixels = 0;
+  quality.figure_sharing_pixels = quality.floor_sharing_pixels = 0;
   quality.static_samples = 256;
   quality.floor_sky_noise = 0.001f;
   quality.floor_sky_tolerance = 0.002f;

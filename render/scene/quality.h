@@ -25,7 +25,9 @@ struct Quality {
 
   /// Samples that show the same part of a figure share what they find occluded of the sky within so
   /// many pixels: less noise, but blurred. 0: each sample has its own.
-  int sky_sharing_pixels = 2;
+  int figure_sharing_pixels = 2;
+  /// Whether they share what is occluded of the area lights, too. Otherwise each casts shadow rays.
+  bool figure_shares_lights = false;
   /// As above for what shadow rays find occluded of the area lights on the floor. Has no effect if
   /// the camera moves or has an aperture.
   int floor_sharing_pixels = 1;

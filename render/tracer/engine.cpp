@@ -59,7 +59,7 @@ void Engine::sample_floor_sky(PreparedScene& prepared) {
 
 void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera) {
   const Quality& quality = prepared.quality;
-  const int reach = 2 * std::max(quality.sky_sharing_pixels, quality.floor_sharing_pixels);
+  const int reach = 2 * std::max(quality.figure_sharing_pixels, quality.floor_sharing_pixels);
   if (reach == 0 || quality.reference || prepared.bounds.radius < 0.0f) return;
   // Also beside the window, so that its pixels are those of the whole picture.
   const Window window = window_of(camera);
@@ -69,7 +69,8 @@ void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera
   };
   const Tile all{begin(window.x), end(window.x + window.width, camera.width), begin(window.y),
                  end(window.y + window.height, camera.height)};
-  SharedOcclusion shared(camera.height, quality.sky_sharing_pixels, quality.floor_sharing_pixels);
+  SharedOcclusion shared(camera.height, quality.figure_sharing_pixels,
+                         quality.floor_sharing_pixels);
   run_alone([&] {
     tbb::parallel_for(0, (all.y_end - all.y_begin + tile_size - 1) / tile_size, [&](int band) {
       if (stop_.stop_requested()) return;
@@ -159,7 +160,7 @@ Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camer
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.static_samples;
   thorough.floor_sky_smooth = false;
-  thorough.sky_sharing_pixels = thorough.floor_sharing_pixels = 0;
+  thorough.figure_sharing_pixels = thorough.floor_sharing_pixels = 0;
   thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);
   thorough.background = Background::shown;
   RenderTarget target{Framebuffer(camera.width, camera.height), {}};

@@ -1,6 +1,7 @@
 #include "render/tracer/lighting.h"
 
 #include <algorithm>
+#include <array>
 
 #include "render/light/light.h"
 #include "render/math/constants.h"
@@ -9,8 +10,42 @@
 namespace mien::render {
 namespace {
 
+/// Points of a light, along its diagonal, whose mean is that of the whole light for all polynomials
+/// of second degree but the product of both coordinates (Gauss).
+constexpr std::array diagonal_points{0.21132487f, 0.78867513f};
+
+LanePoints point_in_all_lanes(float u, float v) {
+  LanePoints points;
+  std::fill_n(points.u.lane, lanes, u);
+  std::fill_n(points.v.lane, lanes, v);
+  return points;
+}
+
 bool is_black(const Surface& surface) {
   return (surface.albedo == 0.0f).all() && surface.material->specular_f0 == 0.0f;
+}
+
+/// From a surface to a point of a light.
+struct LightRay {
+  Vec3 towards;    // unit
+  float distance;  // metres
+  Color irradiance;
+};
+
+/// Calls `work` with the number in the batch and the ray of each surface that the point `u` of a
+/// light reaches where nothing occludes it.
+template <class Work>
+void for_lit(const AreaLight& light, std::span<const ShadingPoint> batch,
+             const LaneVectors& origins, const LanePoints& u, const Work& work) {
+  const LaneLights chosen = sample(light, origins, u);
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Surface& surface = batch[i].surface;
+    const int lane = static_cast<int>(i);
+    const Vec3 towards = chosen.towards.at(lane);
+    const float irradiance = surface.normal.dot(towards) * chosen.share[lane];
+    if (irradiance > 0.0f && !is_black(surface))
+      work(i, LightRay{towards, chosen.distance[lane], irradiance * light.radiance});
+  }
 }
 
 /// Splits points into batches of up to eight. Those of a pixel stay together, or begin a batch: so
@@ -61,24 +96,54 @@ void Lighting::shade_batch(std::span<const ShadingPoint> batch, bool of_figure) 
   for (const ShadingPoint& point : batch)
     add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
               point.surface.material->emission);
-  add_area_lights(batch, origins_of(batch), of_figure ? &Pixel::figure : &Pixel::set);
+  if (of_figure && shares_sky_) find_groups(batch);
+  add_area_lights(batch, origins_of(batch), of_figure);
   add_sky(batch, normals_of(batch), of_figure);
 }
 
 void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
-                               Color Pixel::*sum) {
+                               bool of_figure) {
+  const bool shares = of_figure && shares_lights_;
+  const std::uint32_t all = ~0u >> (32 - batch.size());
   for (int k = 0; const AreaLight& light : prepared_.scene.lights) {
-    const LaneLights chosen = sample(light, origins, points_for(batch, Dimension::FirstLight, k++));
-    for (int i = 0; const ShadingPoint& point : batch) {
-      const Vec3 towards = chosen.towards.at(i);
-      const float irradiance = point.surface.normal.dot(towards) * chosen.share[i];
-      const float distance = chosen.distance[i++];
-      if (irradiance <= 0.0f || is_black(point.surface)) continue;
-      const Color radiance = irradiance * light.radiance * reflectance(point.surface, towards);
-      enqueue({point.sample, radiance, sum, Decision::adds_if_visible}, point.surface.origin,
-              towards, distance);
-    }
+    const int number = k++;
+    const std::uint32_t shared = shares ? add_shared(light, batch, origins) : 0;
+    if (shared == all) continue;
+    const LanePoints u = points_for(batch, Dimension::FirstLight, number);
+    for_lit(light, batch, origins, u, [&](std::size_t i, const LightRay& ray) {
+      if (((shared >> i) & 1u) != 0) return;
+      const Color radiance = ray.irradiance * reflectance(batch[i].surface, ray.towards);
+      enqueue({batch[i].sample, radiance, of_figure ? &Pixel::figure : &Pixel::set,
+               Decision::adds_if_visible},
+              batch[i].surface.origin, ray.towards, ray.distance);
+    });
   }
+}
+
+// Adds the unoccluded light, and returns for which points (bit i: number i of the batch) its
+// occlusion is shared: not for those that shine more than they scatter, because the occlusion of
+// their neighbours is that of what is scattered. The points of the light need not be random.
+std::uint32_t Lighting::add_shared(const AreaLight& light, std::span<const ShadingPoint> batch,
+                                   const LaneVectors& origins) {
+  constexpr auto points = static_cast<float>(diagonal_points.size());
+  std::array<Color, lanes> reflected, scattered;
+  reflected.fill(Color::Zero());
+  scattered.fill(Color::Zero());
+  for (const float u : diagonal_points) {
+    for_lit(light, batch, origins, point_in_all_lanes(u, u),
+            [&](std::size_t i, const LightRay& ray) {
+              const Surface& surface = batch[i].surface;
+              reflected[i] += ray.irradiance * reflectance(surface, ray.towards) / points;
+              scattered[i] += ray.irradiance * surface.albedo / (points * pi);
+            });
+  }
+  std::uint32_t shared = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (reflected[i].sum() > 2.0f * scattered[i].sum()) continue;
+    shared |= 1u << i;
+    add_shared(i, batch[i].sample, reflected[i]);
+  }
+  return shared;
 }
 
 // The unoccluded sky's light is known in closed form; what is occluded is shared, or rays subtract
@@ -86,18 +151,18 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVe
 void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals,
                        bool of_figure) {
   const Sky& sky = prepared_.scene.sky;
-  const bool shares = of_figure && prepared_.quality.sky_sharing_pixels > 0;
-  for (const ShadingPoint& point : batch) {
-    const Surface& surface = point.surface;
+  const bool shares = of_figure && shares_sky_;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Sample& sample = batch[i].sample;
+    const Surface& surface = batch[i].surface;
     if (is_black(surface)) continue;
     const Color light = surface.albedo * unoccluded_sky_light(sky, surface.normal);
-    add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set, light);
-    if (shares) add_to_group(point, light);
+    if (shares)
+      add_shared(i, sample, light);
+    else
+      add_light(sample, of_figure ? &Pixel::known_figure : &Pixel::known_set, light);
   }
   if (shares) return;
-  Query query;
-  query.sum = of_figure ? &Pixel::figure : &Pixel::set;
-  query.decision = Decision::subtracts_if_occluded;
   const int rays = prepared_.quality.sky_rays;
   const float share = 1.0f / static_cast<float>(rays);
   for (int k = 0; k < rays; ++k) {
@@ -107,35 +172,41 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
       const Surface& surface = batch[i].surface;
       if (is_black(surface)) continue;
       const Vec3 direction = towards.at(static_cast<int>(i));
-      query.sample = batch[i].sample;
-      query.light = surface.albedo * (share * sky_radiance(sky, direction));
-      enqueue(query, surface.origin, direction,
+      const Color light = surface.albedo * (share * sky_radiance(sky, direction));
+      enqueue({batch[i].sample, light, of_figure ? &Pixel::figure : &Pixel::set,
+               Decision::subtracts_if_occluded},
+              surface.origin, direction,
               distance_to_end(prepared_.scene, surface.origin, direction));
     }
   }
 }
 
-// `light`: what it reflects of the unoccluded sky.
-void Lighting::add_to_group(const ShadingPoint& point, const Color& light) {
-  const Sample& sample = point.sample;
-  const int part = point.surface.part;
-  std::size_t number = groups_.size();
-  while (number > 0 && groups_[number - 1].pixel == sample.pixel &&
-         groups_[number - 1].part != part)
-    --number;
-  if (number == 0 || groups_[number - 1].pixel != sample.pixel) {
-    groups_.push_back({sample.pixel, part});
-    number = groups_.size();
+// Adds light of the figure that is `number` of a batch, of which the occluded share is subtracted
+// later.
+void Lighting::add_shared(std::size_t number, const Sample& sample, const Color& light) {
+  add_light(sample, &Pixel::known_figure, light);
+  groups_[group_numbers_[number]].light += sample.weight * light;
+}
+
+// Finds or makes the groups of points; those of a pixel come one after the other.
+void Lighting::find_groups(std::span<const ShadingPoint> batch) {
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    Pixel* pixel = batch[i].sample.pixel;
+    const int part = batch[i].surface.part;
+    std::size_t number = groups_.size();
+    while (number > 0 && groups_[number - 1].pixel == pixel && groups_[number - 1].part != part)
+      --number;
+    if (number == 0 || groups_[number - 1].pixel != pixel) {
+      groups_.push_back({pixel, part});
+      number = groups_.size();
+    }
+    group_numbers_[i] = number - 1;
+    groups_[number - 1].normals += batch[i].sample.weight * batch[i].surface.normal;
   }
-  Group& group = groups_[number - 1];
-  group.normals += sample.weight * point.surface.normal;
-  group.light += sample.weight * light;
 }
 
 void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) {
   const Scene& scene = prepared_.scene;
-  Query query;
-  query.sum = &Pixel::set;
   const Decision subtracts =
       of_all ? Decision::subtracts_if_occluded : Decision::subtracts_if_shadowed;
   const LaneVectors origins = origins_of(batch);
@@ -147,25 +218,18 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
   }
   for (std::size_t k = 0; k < scene.lights.size(); ++k) {
     if (((lights >> k) & 1u) == 0) continue;
-    const LaneLights chosen = sample(scene.lights[k], origins,
-                                     points_for(batch, Dimension::FirstLight, static_cast<int>(k)));
-    for (int i = 0; const ShadingPoint& point : batch) {
-      const Vec3 towards = chosen.towards.at(i);
-      const float irradiance = point.surface.normal.dot(towards) * chosen.share[i];
-      const float distance = chosen.distance[i++];
-      if (((point.lights >> k) & 1u) == 0 || irradiance <= 0.0f) continue;
+    const LanePoints u = points_for(batch, Dimension::FirstLight, static_cast<int>(k));
+    for_lit(scene.lights[k], batch, origins, u, [&](std::size_t i, const LightRay& ray) {
+      const Vec3& origin = batch[i].surface.origin;
+      if (((batch[i].lights >> k) & 1u) == 0) return;
       if (!of_all && !prepared_.quality.exhaustive &&
-          !may_intersect(prepared_.bounds, point.surface.origin, towards))
-        continue;
-      const Color light = irradiance * scene.lights[k].radiance;
-      query.sample = point.sample;
-      query.decision = subtracts;
-      query.light = light * reflectance(point.surface, towards);
-      enqueue(query, point.surface.origin, towards, distance);
-    }
+          !may_intersect(prepared_.bounds, origin, ray.towards))
+        return;
+      const Color light = ray.irradiance * reflectance(batch[i].surface, ray.towards);
+      enqueue({batch[i].sample, light, &Pixel::set, subtracts}, origin, ray.towards, ray.distance);
+    });
   }
   if (!any_sky) return;
-  query.decision = subtracts;
   // Static solids may be all around.
   const float radius = of_all ? infinity : prepared_.bounds.radius;
   const LaneSphereRays rays =
@@ -175,10 +239,9 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
     const Vec3 towards = rays.towards.at(i);
     const float share = rays.share[i++];
     if (point.sample.index >= point.sky.rays || share <= 0.0f) continue;
-    query.sample = point.sample;
-    query.light =
+    const Color light =
         share * point.sky.samples * point.surface.albedo * sky_radiance(scene.sky, towards);
-    enqueue(query, point.surface.origin, towards,
+    enqueue({point.sample, light, &Pixel::set, subtracts}, point.surface.origin, towards,
             distance_to_end(scene, point.surface.origin, towards));
   }
 }

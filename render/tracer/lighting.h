@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +15,10 @@ namespace mien::render {
 /// time; what they find is added to the pixels, which must not move before `finish`.
 class Lighting {
  public:
-  explicit Lighting(const PreparedScene& prepared) : prepared_(prepared) {}
+  explicit Lighting(const PreparedScene& prepared)
+      : prepared_(prepared),
+        shares_sky_(prepared.quality.figure_sharing_pixels > 0),
+        shares_lights_(shares_sky_ && prepared.quality.figure_shares_lights) {}
 
   /// Adds all light from area lights and sky that surfaces reflect to the camera: those of the
   /// figure, or those of static solids in pixels that render their own background.
@@ -43,21 +48,24 @@ class Lighting {
     Color Pixel::*sum = nullptr;
     Decision decision = Decision::adds_if_visible;
   };
-  /// Samples of a pixel that show one part of the figure and whose occlusion of the sky is shared.
+  /// Samples of a pixel that show one part of the figure and whose occlusion is shared.
   struct Group {
     Pixel* pixel;
     int part;
     Vec3 normals = Vec3::Zero();  // sum over the samples, by weight
-    Color light = Color::Zero();  // that they reflect of the unoccluded sky, the same
+    Color light = Color::Zero();  // that they would reflect without occlusion, the same
   };
 
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
   void subtract(std::span<const ShadingPoint> points, bool of_all);
   void subtract_batch(std::span<const ShadingPoint> batch, bool of_all);
   void add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
-                       Color Pixel::*sum);
+                       bool of_figure);
+  std::uint32_t add_shared(const AreaLight& light, std::span<const ShadingPoint> batch,
+                           const LaneVectors& origins);
   void add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals, bool of_figure);
-  void add_to_group(const ShadingPoint& point, const Color& light);
+  void add_shared(std::size_t number, const Sample& sample, const Color& light);
+  void find_groups(std::span<const ShadingPoint> batch);
 
   /// Queues a shadow ray; `query.light` is the radiance that it contributes for each of the samples
   /// that its sample represents.
@@ -65,9 +73,12 @@ class Lighting {
   void trace();
 
   const PreparedScene& prepared_;
+  const bool shares_sky_;  // occlusion of the sky on figures is shared
+  const bool shares_lights_;
   RayPacket rays_;
   std::array<Query, packet_size> queries_;
-  std::vector<Group> groups_;  // by pixel
+  std::vector<Group> groups_;                          // by pixel
+  std::array<std::size_t, lanes> group_numbers_ = {};  // of the points of a batch
 };
 
 }  // namespace mien::render

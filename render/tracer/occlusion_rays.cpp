@@ -28,7 +28,8 @@ class OcclusionFinder {
         // Pixels that render their own background cast rays for their floor.
         of_floor_(prepared.quality.floor_sharing_pixels > 0 && !prepared.is_per_sample() &&
                   prepared.scene.has_ground && !prepared.scene.lights.empty()),
-        of_figure_(prepared.quality.sky_sharing_pixels > 0),
+        of_figure_(prepared.quality.figure_sharing_pixels > 0),
+        lights_of_figure_(of_figure_ && prepared.quality.figure_shares_lights),
         planner_(prepared) {}
 
   /// Finds what there is in a row of tiles, and hands it over.
@@ -56,13 +57,14 @@ class OcclusionFinder {
   void find_light(int light);
   LanePoints random_points(Dimension dimension, int which = 0) const;
   void enqueue(Point& point, const Vec3& direction, float distance, const Color& light);
-  void add(std::uint32_t occluded);
+  void trace();
 
   const PreparedScene& prepared_;
   SharedOcclusion& shared_;
-  const bool everywhere_;  // any pixel may show the figure
-  const bool of_floor_;    // shadows on the floor are shared
-  const bool of_figure_;   // occlusion of the sky on figures is shared
+  const bool everywhere_;        // any pixel may show the figure
+  const bool of_floor_;          // shadows on the floor are shared
+  const bool of_figure_;         // occlusion of the sky on figures is shared
+  const bool lights_of_figure_;  // that of the area lights, too
   PixelPlanner planner_;
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
@@ -117,7 +119,7 @@ void OcclusionFinder::add_pixel(int x, int y, std::uint32_t lights, bool may_sho
     point.pixel.shadow_lights = lights;
     point.sample = sample_at(prepared_, point.pixel, static_cast<int>(i));
     point.index = sampler.index(static_cast<int>(i)) / every;
-    point.found = {x, nothing, Vec3::UnitY()};
+    point.found = {x, nothing, Vec3::UnitY(), Color::Zero(), Color::Zero()};
     may_hit_ |= may_show_figure || prepared_.static_solids != nullptr;
     if (++count_ == lanes) cast();
   }
@@ -171,41 +173,42 @@ void OcclusionFinder::find_sky() {
     normals.set(static_cast<int>(i), points_[i].found.normal);
   const LaneVectors towards = cosine_directions(normals, random_points(Dimension::FigureSky));
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!shows_figure(points_[i])) continue;
+    Point& point = points_[i];
+    if (!shows_figure(point)) continue;
     const Vec3 direction = towards.at(static_cast<int>(i));
-    const Color all = unoccluded_sky_light(sky, points_[i].found.normal);
-    enqueue(points_[i], direction, distance_to_end(prepared_.scene, points_[i].origin, direction),
-            (all > 0.0f).select(sky_radiance(sky, direction) / all, 0.0f));
+    point.found.light += unoccluded_sky_light(sky, point.found.normal);
+    enqueue(point, direction, distance_to_end(prepared_.scene, point.origin, direction),
+            sky_radiance(sky, direction));
   }
-  std::uint32_t occluded = prepared_.figure.occluded(rays_);
-  if (prepared_.static_solids != nullptr) occluded |= prepared_.static_solids->occluded(rays_);
-  add(occluded);
+  trace();
 }
 
-// Finds light that the figure occludes from the floor, and nothing else does.
 void OcclusionFinder::find_light(int number) {
-  const auto is_shadowed = [number](const Point& point) {
-    return point.found.part == SharedOcclusion::floor_part &&
-           ((point.pixel.shadow_lights >> number) & 1u) != 0;
+  const auto is_lit = [&](const Point& point) {
+    if (point.found.part != SharedOcclusion::floor_part)
+      return point.found.part != nothing && lights_of_figure_;
+    return ((point.pixel.shadow_lights >> number) & 1u) != 0;
   };
-  if (std::none_of(points_.begin(), points_.begin() + count_, is_shadowed)) return;
+  if (std::none_of(points_.begin(), points_.begin() + count_, is_lit)) return;
   const AreaLight& light = prepared_.scene.lights[static_cast<std::size_t>(number)];
   LaneVectors origins;
   for (std::size_t i = 0; i < count_; ++i) origins.set(static_cast<int>(i), points_[i].origin);
   const LaneLights chosen = sample(light, origins, random_points(Dimension::FirstLight, number));
   for (std::size_t i = 0; i < count_; ++i) {
+    Point& point = points_[i];
     const int lane = static_cast<int>(i);
     const Vec3 towards = chosen.towards.at(lane);
-    const float irradiance = towards.y() * chosen.share[lane];
-    if (is_shadowed(points_[i]) && irradiance > 0.0f &&
-        (prepared_.quality.exhaustive ||
-         may_intersect(prepared_.bounds, points_[i].origin, towards)))
-      enqueue(points_[i], towards, chosen.distance[lane], irradiance / pi * light.radiance);
+    const float irradiance = point.found.normal.dot(towards) * chosen.share[lane];
+    if (!is_lit(point) || irradiance <= 0.0f) continue;
+    const Color radiance = irradiance / pi * light.radiance;
+    if (point.found.part != SharedOcclusion::floor_part)
+      point.found.light += radiance;
+    else if (!prepared_.quality.exhaustive &&
+             !may_intersect(prepared_.bounds, point.origin, towards))
+      continue;
+    enqueue(point, towards, chosen.distance[lane], radiance);
   }
-  if (rays_.count == 0) return;
-  std::uint32_t occluded = prepared_.figure.occluded(rays_);
-  if (prepared_.static_solids != nullptr) occluded &= ~prepared_.static_solids->occluded(rays_);
-  add(occluded);
+  trace();
 }
 
 LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const {
@@ -224,10 +227,19 @@ void OcclusionFinder::enqueue(Point& point, const Vec3& direction, float distanc
   rays_.push(point.origin, direction, distance, point.sample.time, point.sample.present);
 }
 
-// Adds the light of the rays that are occluded (bit i: ray i), and removes all rays.
-void OcclusionFinder::add(std::uint32_t occluded) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i)
-    if (((occluded >> i) & 1u) != 0) ray_points_[i]->found.occluded += ray_light_[i];
+// Adds the light that the figure occludes from the floor and nothing else does, or anything from
+// the figure.
+void OcclusionFinder::trace() {
+  if (rays_.count == 0) return;
+  const std::uint32_t by_figure = prepared_.figure.occluded(rays_);
+  const std::uint32_t by_set =
+      prepared_.static_solids != nullptr ? prepared_.static_solids->occluded(rays_) : 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) {
+    SharedOcclusion::Found& found = ray_points_[i]->found;
+    const std::uint32_t occluded =
+        found.part == SharedOcclusion::floor_part ? by_figure & ~by_set : by_figure | by_set;
+    if (((occluded >> i) & 1u) != 0) found.occluded += ray_light_[i];
+  }
   rays_.count = 0;
 }
 

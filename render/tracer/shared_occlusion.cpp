@@ -47,13 +47,11 @@ void SharedOcclusion::set_figure_row(int number, std::span<const Found> found) {
     std::size_t entry = first;
     while (entry < count && row.parts[entry] != one.part) ++entry;
     if (entry == count) row.parts[count++] = one.part;
-    const float values[FigureSamples::lists] = {one.normal.x(),
-                                                one.normal.y(),
-                                                one.normal.z(),
-                                                one.occluded[0],
-                                                one.occluded[1],
-                                                one.occluded[2],
-                                                1.0f};
+    const Color share = (one.light > 0.0f).select(one.occluded / one.light, 0.0f);
+    const float light = one.light.mean();
+    const float values[FigureSamples::lists] = {
+        one.normal.x(),   one.normal.y(),   one.normal.z(), light * share[0],
+        light * share[1], light * share[2], light};
     for (std::size_t list = 0; list < FigureSamples::lists; ++list)
       row.values[list * size + entry] += values[list];
   }
@@ -81,7 +79,7 @@ void SharedOcclusion::set_figure_row(int number, std::span<const Found> found) {
                 *red = row.at(FigureSamples::red, begin),
                 *green = row.at(FigureSamples::green, begin),
                 *blue = row.at(FigureSamples::blue, begin),
-                *samples = row.at(FigureSamples::samples, begin);
+                *light = row.at(FigureSamples::light, begin);
     const int* parts = &row.parts[static_cast<std::size_t>(begin)];
     const int count = last - begin;
 #pragma omp simd
@@ -92,7 +90,7 @@ void SharedOcclusion::set_figure_row(int number, std::span<const Found> found) {
       sums.red.lane[i] += weight * red[i];
       sums.green.lane[i] += weight * green[i];
       sums.blue.lane[i] += weight * blue[i];
-      sums.samples.lane[i] += weight * samples[i];
+      sums.light.lane[i] += weight * light[i];
     }
   }
 }
@@ -130,9 +128,9 @@ MIEN_FOR_AVX2_TOO std::optional<Color> SharedOcclusion::figure_mean(int x, int y
     const auto to = static_cast<std::size_t>(std::clamp(column + reach + 1, 0, last));
     if (row.first[from] < row.first[to]) add(row, row.first[from], row.first[to], look, sums);
   }
-  const float samples = sum_of(sums.samples);
-  if (!(samples > 0.0f)) return std::nullopt;
-  return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / samples;
+  const float light = sum_of(sums.light);
+  if (!(light > 0.0f)) return std::nullopt;
+  return Color{sum_of(sums.red), sum_of(sums.green), sum_of(sums.blue)} / light;
 }
 
 Color SharedOcclusion::on_figure(int x, int y, int part, const Vec3& normal) const {

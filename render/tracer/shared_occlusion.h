@@ -28,8 +28,8 @@ class SharedOcclusion {
     int x;                           ///< the sample's pixel in its row
     int part;                        ///< index into Scene::parts, or floor_part
     Vec3 normal;                     ///< unit; of no account on the floor
-    Color occluded = Color::Zero();  ///< on figures, as a share of the sky's light; on the floor,
-                                     ///< irradiance divided by π
+    Color occluded = Color::Zero();  ///< irradiance, divided by π
+    Color light = Color::Ones();     ///< what it is without occlusion; of no account on the floor
   };
 
   SharedOcclusion() = default;  ///< nothing is shared
@@ -47,21 +47,22 @@ class SharedOcclusion {
   void set_figure_row(int number, std::span<const Found> found);
   void set_floor_row(int number, std::span<const Found> found);
 
-  /// Returns the light that is occluded in a pixel from the floor, as for Found; black if no floor
-  /// was found nearby.
+  /// Returns the light that is occluded in a pixel from the floor, irradiance divided by π; black
+  /// if no floor was found nearby.
   Color on_floor(int x, int y) const;
 
-  /// Returns the light that is occluded in a pixel from surfaces of a part with about this normal
-  /// (need not be of length 1), as for Found. If the part was found nearby with other normals only,
+  /// Returns the share of the light that is occluded in a pixel from surfaces of a part with about
+  /// this normal (need not be of length 1). If the part was found nearby with other normals only,
   /// these count; black if it was not found.
   Color on_figure(int x, int y, int part, const Vec3& normal) const;
 
  private:
   /// What was found on figures: a list per quantity, of entries from left to right: sums over what
-  /// was found for one part in a pixel. Eight more values follow each list, so that eight can be
-  /// read from any entry on.
+  /// was found for one part in a pixel, of shares that are occluded times `light`, which is the
+  /// mean of red, green and blue without occlusion. Eight more values follow each list, so that
+  /// eight can be read from any entry on.
   struct FigureSamples {
-    enum List { normal_x, normal_y, normal_z, red, green, blue, samples, lists };
+    enum List { normal_x, normal_y, normal_z, red, green, blue, light, lists };
 
     std::vector<float> values;  // list after list
     std::vector<int> parts;
@@ -87,7 +88,7 @@ class SharedOcclusion {
   };
   /// Weighted sums over neighbours.
   struct Sums {
-    LaneFloats red, green, blue, samples;
+    LaneFloats red, green, blue, light;
   };
 
   static void add(const FigureSamples& row, int begin, int end, const Look& look, Sums& sums);

@@ -17,7 +17,7 @@ void check(const Quality& quality) {
       !(quality.filter_width > 0.0f))
     throw std::invalid_argument("quality: samples, sky rays and filter width must be positive");
   constexpr int farthest = 64;  // pixels
-  for (const int reach : {quality.sky_sharing_pixels, quality.floor_sharing_pixels})
+  for (const int reach : {quality.figure_sharing_pixels, quality.floor_sharing_pixels})
     if (reach < 0 || reach > farthest || quality.figure_samples_per_ray < 1 ||
         quality.floor_samples_per_ray < 1)
       throw std::invalid_argument(

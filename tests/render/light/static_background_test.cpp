@@ -95,7 +95,7 @@ TEST(StaticBackground, GivesTheMeanThatTracingAllOfItEachTimeGives) {
   for (const Mesh& mesh : reused.static_solids.meshes) whole.solids.meshes.push_back(mesh);
   whole.static_solids = {};
   Quality quality{.samples_per_pixel = 16, .static_samples = 64};
-  quality.sky_sharing_pixels = quality.floor_sharing_pixels = 0;
+  quality.figure_sharing_pixels = quality.floor_sharing_pixels = 0;
   const Pictures quick = pictures_of(reused, quality, 48);
   quality.floor_sky_tolerance = 0.0f;
   const Pictures brute = pictures_of(whole, quality, 48);

@@ -251,7 +251,7 @@ TEST(Exposing, KnowsTheOpenSkyOnEveryNormal) {
 TEST(Exposing, RefusesSharingThatHasNoBounds) {
   const Scene scene = shining_ball(0.6f);
   for (const Quality& quality :
-       {Quality{.sky_sharing_pixels = -1}, Quality{.floor_sharing_pixels = 65},
+       {Quality{.figure_sharing_pixels = -1}, Quality{.floor_sharing_pixels = 65},
         Quality{.figure_samples_per_ray = 0}, Quality{.floor_samples_per_ray = 0}})
     EXPECT_THROW(Tracer().trace(scene, straight_on(), quality), std::invalid_argument);
 }
@@ -298,7 +298,7 @@ TEST(Exposing, AWindowShowsToTheBitWhatTheWholeShowsThere) {
   cropped.window = Window{35, 35, 26, 26};
   for (const int reach : {2, 3}) {
     const Quality sparse{.samples_per_pixel = 4,
-                         .sky_sharing_pixels = reach,
+                         .figure_sharing_pixels = reach,
                          .floor_sharing_pixels = reach,
                          .figure_samples_per_ray = 150,
                          .floor_samples_per_ray = 150};

@@ -203,6 +203,20 @@ View legs() {
   return {scene, camera, draft_quality(), {}, {}};
 }
 
+/// The same legs, shining, under a small light beside them: one leg shadows the other, and near the
+/// silhouettes, where the light grazes them, normals, irradiance and shadow change within few
+/// pixels. Of 72 such lights all around, this is the one with the largest bias.
+View lit_legs() {
+  View view = legs();
+  Scene& scene = view.scene;
+  scene.materials[0].specular_f0 = 0.04f;
+  scene.lights = {
+      softbox({-1.75f, 0.8f, 0.0f}, {0.0f, 0.5f, 0.0f}, 0.03f, 0.03f, Color::Constant(6000.0f))};
+  scene.sky.zenith = scene.sky.horizon = scene.sky.below = Color::Constant(0.02f);
+  scene.sky.backdrop_zenith = scene.sky.backdrop_horizon = Color::Zero();
+  return view;
+}
+
 /// A ball above the floor, close up, under a small and a wide light.
 View ball() {
   Scene scene;
@@ -241,7 +255,7 @@ View seen_in(View view, const Quality& quality) {
 }
 
 View unshared(View view) {
-  view.quality.sky_sharing_pixels = view.quality.floor_sharing_pixels = 0;
+  view.quality.figure_sharing_pixels = view.quality.floor_sharing_pixels = 0;
   return view;
 }
 
@@ -257,7 +271,7 @@ TEST(SharedOcclusion, KeepsTheMeansOfBlocks) {
   for (const Sharing& how : sharing) {
     SCOPED_TRACE(how.name);
     const View shared = seen_in(legs(), how.quality);
-    ASSERT_GT(shared.quality.sky_sharing_pixels, 0);
+    ASSERT_GT(shared.quality.figure_sharing_pixels, 0);
     const test::BlockMeans expected = test::mean_of_pictures(unshared(shared), 1000, how.pictures);
     constexpr double sky_light = 0.5 * 0.4;  // albedo times about the mean radiance
     EXPECT_LT(bias_of(shared, how.pictures, expected, sky_light), how.figure_bias);
@@ -268,6 +282,21 @@ TEST(SharedOcclusion, KeepsTheMeansOfBlocks) {
       *sky *= share;
     EXPECT_GT(bias_of(dim, how.pictures, expected, sky_light), how.figure_bias);
   }
+}
+
+TEST(SharedOcclusion, KeepsTheMeansOfLitBlocks) {
+  const View shared = lit_legs();
+  ASSERT_TRUE(shared.quality.figure_shares_lights);
+  constexpr int pictures = 150;
+  const test::BlockMeans expected = test::mean_of_pictures(unshared(shared), 1000, pictures);
+  constexpr double lit = 0.3;  // about the radiance where the light shines from the front
+  EXPECT_LT(bias_of(shared, pictures, expected, lit), figure_light_bias.draft);
+  // The test can fail: the shadow of a leg that is thinner by a tenth is found.
+  View thin = shared;
+  for (float* radius : {&thin.scene.solids.round_cones[1].start_radius,
+                        &thin.scene.solids.round_cones[1].end_radius})
+    *radius *= 0.9f;
+  EXPECT_GT(bias_of(thin, pictures, expected, lit), figure_light_bias.draft);
 }
 
 TEST(SharedOcclusion, KeepsTheMeansOfTheFloorsShadows) {
@@ -310,6 +339,10 @@ double variance_within(View view) {
 }
 
 TEST(SharedOcclusion, TakesMostOfTheNoise) {
+  View lit = lit_legs();
+  lit.scene.lights[0] =
+      softbox({0.5f, 1.8f, 1.6f}, {0.0f, 0.5f, 0.0f}, 1.0f, 1.0f, Color::Constant(5.0f));
+  EXPECT_LT(variance_within(lit), 0.2 * variance_within(unshared(lit)));
   EXPECT_LT(variance_within(legs()), 0.2 * variance_within(unshared(legs())));
 }
 

@@ -230,7 +230,7 @@ TEST_P(FewSamples, DrawInTheMeanWhatManyShow) {
     Quality few = draft_quality();
     few.samples_per_pixel = samples;
     few.floor_sky_tolerance = 0.0f;
-    few.sky_sharing_pixels = few.floor_sharing_pixels = 0;  // biased within bounds (contract.h)
+    few.figure_sharing_pixels = few.floor_sharing_pixels = 0;  // biased within bounds (contract.h)
     const BlockMeans found = mean_of_pictures({scene, camera, few, {}, {}}, 0, 300);
     const Eigen::ArrayXd error = (found.error.square() + expected.error.square()).sqrt();
     EXPECT_LT(((found.mean - expected.mean).abs() - 4.5 * error).maxCoeff(), 5e-5)
