@@ -6,7 +6,6 @@ Quality draft_quality() {
   Quality quality;
   quality.samples_per_pixel = 2;
   quality.sky_rays = 1;
-  quality.samples_shaded_together = 2;
   quality.figure_sharing_pixels = 3;
   quality.figure_shares_lights = true;
   quality.floor_sharing_pixels = 2;

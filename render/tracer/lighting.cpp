@@ -70,6 +70,19 @@ void for_batches(std::span<const ShadingPoint> points, const Work& work) {
   if (count > 0) work(points);
 }
 
+/// Adds what each of the samples that a point represents gets without rays.
+void add_known(const Sample& sample, const Color& light, bool of_figure) {
+  Pixel& pixel = *sample.pixel;
+  (of_figure ? pixel.known_figure : pixel.known_set) += static_cast<float>(sample.count) * light;
+}
+
+/// Largest number of samples that a point represents.
+int most_samples(std::span<const ShadingPoint> batch) {
+  int most = 0;
+  for (const ShadingPoint& point : batch) most = std::max(most, point.sample.count);
+  return most;
+}
+
 LaneVectors origins_of(std::span<const ShadingPoint> batch) {
   LaneVectors origins;
   for (int i = 0; const ShadingPoint& point : batch) origins.set(i++, point.surface.origin);
@@ -94,8 +107,7 @@ void Lighting::subtract(std::span<const ShadingPoint> points, bool of_all) {
 
 void Lighting::shade_batch(std::span<const ShadingPoint> batch, bool of_figure) {
   for (const ShadingPoint& point : batch)
-    add_light(point.sample, of_figure ? &Pixel::known_figure : &Pixel::known_set,
-              point.surface.material->emission);
+    add_known(point.sample, point.surface.material->emission, of_figure);
   if (of_figure && shares_sky_) find_groups(batch);
   add_area_lights(batch, origins_of(batch), of_figure);
   add_sky(batch, normals_of(batch), of_figure);
@@ -108,15 +120,16 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVe
   for (int k = 0; const AreaLight& light : prepared_.scene.lights) {
     const int number = k++;
     const std::uint32_t shared = shares ? add_shared(light, batch, origins) : 0;
-    if (shared == all) continue;
-    const LanePoints u = points_for(batch, Dimension::FirstLight, number);
-    for_lit(light, batch, origins, u, [&](std::size_t i, const LightRay& ray) {
-      if (((shared >> i) & 1u) != 0) return;
-      const Color radiance = ray.irradiance * reflectance(batch[i].surface, ray.towards);
-      enqueue({batch[i].sample, radiance, of_figure ? &Pixel::figure : &Pixel::set,
-               Decision::adds_if_visible},
-              batch[i].surface.origin, ray.towards, ray.distance);
-    });
+    for (int time = 0; shared != all && time < most_samples(batch); ++time) {
+      const LanePoints u = points_for(batch, Dimension::FirstLight, number, 1, time);
+      for_lit(light, batch, origins, u, [&](std::size_t i, const LightRay& ray) {
+        if (((shared >> i) & 1u) != 0 || time >= batch[i].sample.count) return;
+        const Color radiance = ray.irradiance * reflectance(batch[i].surface, ray.towards);
+        enqueue({batch[i].sample, radiance, of_figure ? &Pixel::figure : &Pixel::set,
+                 Decision::adds_if_visible},
+                batch[i].surface.origin, ray.towards, ray.distance);
+      });
+    }
   }
 }
 
@@ -160,17 +173,17 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
     if (shares)
       add_shared(i, sample, light);
     else
-      add_light(sample, of_figure ? &Pixel::known_figure : &Pixel::known_set, light);
+      add_known(sample, light, of_figure);
   }
   if (shares) return;
   const int rays = prepared_.quality.sky_rays;
   const float share = 1.0f / static_cast<float>(rays);
-  for (int k = 0; k < rays; ++k) {
+  for (int k = 0; k < rays * most_samples(batch); ++k) {
     const LaneVectors towards =
         cosine_directions(normals, points_for(batch, Dimension::FigureSky, 0, rays, k));
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const Surface& surface = batch[i].surface;
-      if (is_black(surface)) continue;
+      if (is_black(surface) || k >= rays * batch[i].sample.count) continue;
       const Vec3 direction = towards.at(static_cast<int>(i));
       const Color light = surface.albedo * (share * sky_radiance(sky, direction));
       enqueue({batch[i].sample, light, of_figure ? &Pixel::figure : &Pixel::set,
@@ -184,8 +197,8 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
 // Adds light of the figure that is `number` of a batch, of which the occluded share is subtracted
 // later.
 void Lighting::add_shared(std::size_t number, const Sample& sample, const Color& light) {
-  add_light(sample, &Pixel::known_figure, light);
-  groups_[group_numbers_[number]].light += sample.weight * light;
+  add_known(sample, light, true);
+  groups_[group_numbers_[number]].light += static_cast<float>(sample.count) * light;
 }
 
 // Finds or makes the groups of points; those of a pixel come one after the other.
@@ -201,7 +214,8 @@ void Lighting::find_groups(std::span<const ShadingPoint> batch) {
       number = groups_.size();
     }
     group_numbers_[i] = number - 1;
-    groups_[number - 1].normals += batch[i].sample.weight * batch[i].surface.normal;
+    groups_[number - 1].normals +=
+        static_cast<float>(batch[i].sample.count) * batch[i].surface.normal;
   }
 }
 
@@ -261,16 +275,17 @@ void Lighting::trace() {
       prepared_.static_solids != nullptr ? prepared_.static_solids->occluded(rays_) : 0;
   for (int i = 0; i < rays_.count; ++i) {
     const Query& query = queries_[static_cast<std::size_t>(i)];
+    Color& sum = query.sample.pixel->*query.sum;
     const bool figure = ((by_figure >> i) & 1u) != 0, set = ((by_set >> i) & 1u) != 0;
     switch (query.decision) {
       case Decision::adds_if_visible:
-        if (!figure && !set) add_light(query.sample, query.sum, query.light);
+        if (!figure && !set) sum += query.light;
         break;
       case Decision::subtracts_if_occluded:
-        if (figure || set) add_light(query.sample, query.sum, -query.light);
+        if (figure || set) sum -= query.light;
         break;
       case Decision::subtracts_if_shadowed:
-        if (figure && !set) add_light(query.sample, query.sum, -query.light);
+        if (figure && !set) sum -= query.light;
         break;
     }
   }

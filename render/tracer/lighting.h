@@ -52,7 +52,7 @@ class Lighting {
   struct Group {
     Pixel* pixel;
     int part;
-    Vec3 normals = Vec3::Zero();  // sum over the samples, by weight
+    Vec3 normals = Vec3::Zero();  // sum over the samples
     Color light = Color::Zero();  // that they would reflect without occlusion, the same
   };
 
@@ -67,8 +67,7 @@ class Lighting {
   void add_shared(std::size_t number, const Sample& sample, const Color& light);
   void find_groups(std::span<const ShadingPoint> batch);
 
-  /// Queues a shadow ray; `query.light` is the radiance that it contributes for each of the samples
-  /// that its sample represents.
+  /// Queues a shadow ray; `query.light` is the radiance that it contributes.
   void enqueue(const Query& query, const Vec3& origin, const Vec3& direction, float distance);
   void trace();
 

@@ -51,13 +51,8 @@ struct Sample {
   int index = 0;
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is present
-  float weight = 1.0f;          ///< number of its pixel's samples that it represents
+  int count = 1;                ///< number of its pixel's samples, from it on, that it represents
 };
-
-/// Adds a sample's light to one of the sums of its pixel.
-inline void add_light(const Sample& sample, Color Pixel::*sum, const Color& light) {
-  sample.pixel->*sum += sample.weight * light;
-}
 
 /// A point that a sample shows and that is lit or shadowed.
 struct ShadingPoint {

@@ -47,7 +47,8 @@ class TileRenderer {
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
-  bool merge(const Sample& sample);
+  bool merge(const Sample& sample, const FirstHit& hit);
+  bool are_of_one_surface(const FirstHit& one, const FirstHit& other) const;
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
@@ -72,7 +73,7 @@ class TileRenderer {
   std::vector<Sample> floor_samples_;   // that show the floor only
   std::vector<Sample> own_samples_;     // of a batch, that render their own background
   std::vector<ShadingPoint> figure_points_;
-  int last_shape_ = -1;                      // that of the last of them
+  FirstHit last_hit_;                        // that of the last of them
   std::vector<ShadingPoint> set_points_;     // of static solids, not rendered before
   std::vector<ShadingPoint> shadow_points_;  // of the static background
   std::vector<ShadingPoint> floor_points_;   // of the unshadowed floor
@@ -211,20 +212,37 @@ void TileRenderer::trace_batch(std::span<const Sample> samples) {
 void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int ray,
                               const FirstHit& hit) {
   ++sample.pixel->covered;
-  if (hit.shape == last_shape_ && merge(sample)) return;
-  last_shape_ = hit.shape;
+  if (merge(sample, hit)) return;
+  last_hit_ = hit;
   figure_points_.push_back({sample, surface_at(prepared_, rays, ray, hit)});
 }
 
-// Lets the last point, of the same surface, represent this sample, too, if they may be shaded
-// together.
-bool TileRenderer::merge(const Sample& sample) {
+// Lets the last point represent this sample, too, if they may be shaded together.
+bool TileRenderer::merge(const Sample& sample, const FirstHit& hit) {
   const int together = prepared_.quality.samples_shaded_together;
   if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
   Sample& last = figure_points_.back().sample;
-  if (last.pixel != sample.pixel || last.index / together != sample.index / together) return false;
-  last.weight += 1.0f;
+  if (last.pixel != sample.pixel || last.index / together != sample.index / together ||
+      !are_of_one_surface(last_hit_, hit))
+    return false;
+  ++last.count;
   return true;
+}
+
+// Of hits in one pixel: whether they are of one round cone, or of triangles of one mesh that lie at
+// about the same distance.
+bool TileRenderer::are_of_one_surface(const FirstHit& one, const FirstHit& other) const {
+  if (one.shape == other.shape) return true;
+  const Shapes& shapes = prepared_.figure.shapes();
+  const int cones = static_cast<int>(shapes.cones.size());
+  if (one.shape < cones || other.shape < cones) return false;
+  const auto mesh_of = [&](int shape) {
+    return shapes.sources[static_cast<std::size_t>(shape - cones)].mesh;
+  };
+  const float pixel = prepared_.camera.step_right.norm() *
+                      (prepared_.camera.parallel ? 1.0f : one.distance);  // width, metres
+  return mesh_of(one.shape) == mesh_of(other.shape) &&
+         std::abs(one.distance - other.distance) < 2.0f * pixel;
 }
 
 void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, int ray,
@@ -284,7 +302,6 @@ void TileRenderer::light() {
   lighting_.subtract_all_shadows(floor_points_);
   for (auto* points : {&figure_points_, &set_points_, &shadow_points_, &floor_points_})
     points->clear();
-  last_shape_ = -1;
 }
 
 void TileRenderer::resolve(const Canvas& canvas) {

@@ -174,7 +174,8 @@ BlockMeans reference_means(const View& view, int pictures = 60) {
 BlockMeans fast_means(const View& view, const NamedQuality& how, bool interpolates) {
   View fast = view;
   fast.quality = how.quality;
-  fast.quality.figure_sharing_pixels = fast.quality.floor_sharing_pixels = 0;  // see SharedOcclusion
+  fast.quality.figure_sharing_pixels = fast.quality.floor_sharing_pixels =
+      0;  // see SharedOcclusion
   if (!interpolates) fast.quality.floor_sky_tolerance = 0.0f;
   return mean_of_pictures(fast, 0, how.pictures);
 }

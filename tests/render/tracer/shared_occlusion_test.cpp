@@ -217,6 +217,14 @@ View lit_legs() {
   return view;
 }
 
+/// The legs under a light so wide that most of each is in half shadow.
+View softly_lit_legs() {
+  View view = lit_legs();
+  view.scene.lights[0] =
+      softbox({0.5f, 1.8f, 1.6f}, {0.0f, 0.5f, 0.0f}, 1.0f, 1.0f, Color::Constant(5.0f));
+  return view;
+}
+
 /// A ball above the floor, close up, under a small and a wide light.
 View ball() {
   Scene scene;
@@ -339,11 +347,19 @@ double variance_within(View view) {
 }
 
 TEST(SharedOcclusion, TakesMostOfTheNoise) {
-  View lit = lit_legs();
-  lit.scene.lights[0] =
-      softbox({0.5f, 1.8f, 1.6f}, {0.0f, 0.5f, 0.0f}, 1.0f, 1.0f, Color::Constant(5.0f));
-  EXPECT_LT(variance_within(lit), 0.2 * variance_within(unshared(lit)));
+  EXPECT_LT(variance_within(softly_lit_legs()), 0.3 * variance_within(unshared(softly_lit_legs())));
   EXPECT_LT(variance_within(legs()), 0.2 * variance_within(unshared(legs())));
+}
+
+TEST(SamplesShadedTogether, CastTheirOwnShadowRays) {
+  View view = unshared(softly_lit_legs());
+  view.quality.samples_per_pixel = 4;
+  view.quality.samples_shaded_together = 1;
+  const double each = variance_within(view);
+  for (const int together : {2, 4}) {
+    view.quality.samples_shaded_together = together;
+    EXPECT_LT(variance_within(view), 1.1 * each);
+  }
 }
 
 /// Mean variance of all pixels over pictures of different noise.
