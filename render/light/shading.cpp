@@ -145,7 +145,8 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
   const Mesh& mesh = solids.meshes[static_cast<std::size_t>(source.mesh)];
   const auto& corners = mesh.triangles[static_cast<std::size_t>(source.triangle)];
   const Triangle triangle = shapes.triangle_at(number, time);
-  const Barycentric w = barycentric(triangle, point);
+  Barycentric w = barycentric(triangle, point);
+  w = {std::clamp(w.b, 0.0f, 1.0f), std::clamp(w.c, 0.0f, 1.0f - w.b)};
   const float wa = 1.0f - w.b - w.c;
 
   Vec3 flat = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();

@@ -20,8 +20,8 @@ struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded sample that does not share
   /// Number of samples of a pixel for which the surface is evaluated once where they show the same
-  /// one of a figure; each still casts its shadow rays. Has no effect if solids move during the
-  /// picture (motion blur).
+  /// one of a figure, at the mean of their points; each still casts its shadow rays. Has no effect
+  /// under motion blur or depth of field.
   int samples_shaded_together = 2;
 
   /// Samples that show the same part of a figure share what they find occluded of the sky within so

@@ -96,15 +96,20 @@ std::array<FirstHit, packet_size> first_hits(const PreparedScene& prepared, cons
   return first;
 }
 
+Surface surface_at(const PreparedScene& prepared, const FirstHit& hit, const Vec3& point,
+                   const Vec3& direction, float time) {
+  if (hit.of_figure)
+    return surface_at(prepared.scene, prepared.solids, prepared.closing_solids,
+                      prepared.figure.shapes(), hit.shape, point, direction, time);
+  return surface_at(prepared.scene, prepared.scene.static_solids, nullptr,
+                    prepared.static_solids->shapes(), hit.shape, point, direction, 0.0f);
+}
+
 Surface surface_at(const PreparedScene& prepared, const RayPacket& rays, int ray,
                    const FirstHit& hit) {
   const Vec3 direction = rays.direction(ray);
-  const Vec3 point = rays.origin(ray) + hit.distance * direction;
-  if (hit.of_figure)
-    return surface_at(prepared.scene, prepared.solids, prepared.closing_solids,
-                      prepared.figure.shapes(), hit.shape, point, direction, rays.time[ray]);
-  return surface_at(prepared.scene, prepared.scene.static_solids, nullptr,
-                    prepared.static_solids->shapes(), hit.shape, point, direction, 0.0f);
+  return surface_at(prepared, hit, rays.origin(ray) + hit.distance * direction, direction,
+                    rays.time[ray]);
 }
 
 }  // namespace mien::render

@@ -35,6 +35,10 @@ struct FirstHit {
 std::array<FirstHit, packet_size> first_hits(const PreparedScene& prepared, const RayPacket& rays,
                                              bool with_figure = true);
 
+/// Returns the surface of a solid that a ray hit, as seen along `direction` at a point.
+Surface surface_at(const PreparedScene& prepared, const FirstHit& hit, const Vec3& point,
+                   const Vec3& direction, float time);
+
 /// Returns the surface that a ray meets.
 Surface surface_at(const PreparedScene& prepared, const RayPacket& rays, int ray,
                    const FirstHit& hit);

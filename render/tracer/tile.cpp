@@ -37,6 +37,15 @@ class TileRenderer {
   void draw(const Tile& part, const Canvas& canvas);
 
  private:
+  /// The last samples that show the figure, of one pixel and surface.
+  struct Last {
+    Sample sample{.count = 0};       // the first of them
+    FirstHit hit;                    // its hit
+    Vec3 point = Vec3::Zero();       // its point
+    Vec3 points = Vec3::Zero();      // sum of their points
+    Vec3 directions = Vec3::Zero();  // sum of the directions of their rays
+  };
+
   void draw_band(const Tile& band, const Canvas& canvas);
   void draw_tile(const Tile& tile, bool is_known, const Canvas& canvas);
   void plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas);
@@ -47,7 +56,8 @@ class TileRenderer {
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
-  bool merge(const Sample& sample, const FirstHit& hit);
+  void finish_last();
+  bool joins_last(const Sample& sample, const FirstHit& hit) const;
   bool are_of_one_surface(const FirstHit& one, const FirstHit& other) const;
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
@@ -73,7 +83,7 @@ class TileRenderer {
   std::vector<Sample> floor_samples_;   // that show the floor only
   std::vector<Sample> own_samples_;     // of a batch, that render their own background
   std::vector<ShadingPoint> figure_points_;
-  FirstHit last_hit_;                        // that of the last of them
+  Last last_;
   std::vector<ShadingPoint> set_points_;     // of static solids, not rendered before
   std::vector<ShadingPoint> shadow_points_;  // of the static background
   std::vector<ShadingPoint> floor_points_;   // of the unshadowed floor
@@ -212,21 +222,37 @@ void TileRenderer::trace_batch(std::span<const Sample> samples) {
 void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int ray,
                               const FirstHit& hit) {
   ++sample.pixel->covered;
-  if (merge(sample, hit)) return;
-  last_hit_ = hit;
-  figure_points_.push_back({sample, surface_at(prepared_, rays, ray, hit)});
+  const Vec3 direction = rays.direction(ray);
+  const Vec3 point = rays.origin(ray) + hit.distance * direction;
+  if (joins_last(sample, hit)) {
+    ++last_.sample.count;
+    last_.points += point;
+    last_.directions += direction;
+    return;
+  }
+  finish_last();
+  last_ = {sample, hit, point, point, direction};
 }
 
-// Lets the last point represent this sample, too, if they may be shaded together.
-bool TileRenderer::merge(const Sample& sample, const FirstHit& hit) {
+// Evaluates the surface that the last samples show at the mean of their points: on surfaces that
+// hardly bend within a pixel, that is the mean of their surfaces. Shadow rays leave from the first
+// point, because the mean may lie below the surface.
+void TileRenderer::finish_last() {
+  const Sample& sample = last_.sample;
+  if (sample.count == 0) return;
+  const Vec3 mean = last_.points / static_cast<float>(sample.count);
+  ShadingPoint& point = figure_points_.emplace_back(ShadingPoint{
+      sample, surface_at(prepared_, last_.hit, mean, last_.directions.normalized(), sample.time)});
+  point.surface.origin += last_.point - mean;
+  last_.sample.count = 0;
+}
+
+bool TileRenderer::joins_last(const Sample& sample, const FirstHit& hit) const {
   const int together = prepared_.quality.samples_shaded_together;
-  if (together == 1 || figure_points_.empty() || prepared_.closing_solids != nullptr) return false;
-  Sample& last = figure_points_.back().sample;
-  if (last.pixel != sample.pixel || last.index / together != sample.index / together ||
-      !are_of_one_surface(last_hit_, hit))
-    return false;
-  ++last.count;
-  return true;
+  const Sample& last = last_.sample;
+  return together > 1 && last.count > 0 && !prepared_.is_per_sample() &&
+         last.pixel == sample.pixel && last.index / together == sample.index / together &&
+         are_of_one_surface(last_.hit, hit);
 }
 
 // Of hits in one pixel: whether they are of one round cone, or of triangles of one mesh that lie at
@@ -296,6 +322,7 @@ void TileRenderer::add_own_background(std::span<const Sample> samples, const Ray
 }
 
 void TileRenderer::light() {
+  finish_last();
   lighting_.shade(figure_points_, true);
   lighting_.shade(set_points_, false);
   lighting_.subtract_shadow(shadow_points_);

@@ -351,7 +351,7 @@ TEST(SharedOcclusion, TakesMostOfTheNoise) {
   EXPECT_LT(variance_within(legs()), 0.2 * variance_within(unshared(legs())));
 }
 
-TEST(SamplesShadedTogether, CastTheirOwnShadowRays) {
+TEST(SamplesShadedTogether, AreHardlyNoisierThanEachByItself) {
   View view = unshared(softly_lit_legs());
   view.quality.samples_per_pixel = 4;
   view.quality.samples_shaded_together = 1;
