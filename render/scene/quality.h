@@ -22,7 +22,7 @@ struct Quality {
   /// Number of samples of a pixel for which the surface is evaluated once where they show the same
   /// one of a figure, at the mean of their points; each still casts its shadow rays. Has no effect
   /// under motion blur or depth of field.
-  int samples_shaded_together = 2;
+  int samples_shaded_together = 4;
 
   /// Samples that show the same part of a figure share what they find occluded of the sky within so
   /// many pixels: less noise, but blurred. 0: each sample has its own.
