@@ -115,8 +115,8 @@ TEST(BuiltinRecipes, MoveTheFeaturesOfActorsRightly) {
   }
 }
 
-/// Acted anger differs too much for one recipe: of the same performer, one take is fast and wide
-/// and the other slow and narrow.
+/// Acted anger differs too much for one recipe: of the same performer, one take is faster than the
+/// neutral walk, with more swing of the arms, and the other slower, with less.
 TEST(BuiltinRecipes, ComeNearCapturedActors) {
   if (!test::real_data()) GTEST_SKIP() << "no motion capture here: set MIEN_DATA";
   std::vector<RecipeResult> walks;
