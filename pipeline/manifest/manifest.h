@@ -23,11 +23,11 @@ namespace mien::pipeline {
 
 /// The source of the recipes for emotions.
 struct RecipesSource {
-  std::string name = "builtin";  ///< "builtin", "builtin@0.2", "fig29" or the file
+  std::string name = "builtin";  ///< built-in ones (builtin_recipes_text), or the file
   std::filesystem::path file;    ///< resolved; empty for built-in recipes
 };
 
-/// `recipes:`: `builtin`, `builtin@0.2`, `fig29` or a file.
+/// `recipes:`: the name of built-in ones, or a file.
 struct RecipesForm {
   static void read(const DocumentValue& given, RecipesSource& recipes);
   static nlohmann::ordered_json write(const RecipesSource& recipes, const WritingOptions& how);

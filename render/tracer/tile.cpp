@@ -252,6 +252,7 @@ bool TileRenderer::joins_last(const Sample& sample, const FirstHit& hit) const {
   const Sample& last = last_.sample;
   return together > 1 && last.count > 0 && !prepared_.is_per_sample() &&
          last.pixel == sample.pixel && last.index / together == sample.index / together &&
+         last.present == sample.present &&
          are_of_one_surface(last_.hit, hit);
 }
 

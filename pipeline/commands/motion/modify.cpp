@@ -71,6 +71,11 @@ int emotions(const std::string& recipes, bool as_yaml, bool posture, const Conso
   return exit_done;
 }
 
+/// What `--recipes` accepts.
+constexpr const char* named_recipes =
+    "builtin, builtin@0.2 or builtin@0.3 (those of mien 0.2 or 0.3), fig29 (after figure 29 of a "
+    "thesis on emotion in motion capture), or a file of recipes";
+
 }  // namespace
 
 Command motion_modify_command() {
@@ -84,10 +89,7 @@ Command motion_modify_command() {
                    "An emotion, or the value of `modify:` in a manifest"),
           argument("out", &options->out, "File to write: " + motion::formats_written()),
           recording_options(options->recording),
-          option("--recipes", &options->recipes,
-                 "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
-                 "emotion in motion capture), or a file of recipes")
-              .with_default(),
+          option("--recipes", &options->recipes, named_recipes).with_default(),
           option(
               "--on-fault", &options->on_fault,
               "If the change makes the motion faulty: warn: write it with a warning; fail: stop; "
@@ -118,23 +120,18 @@ Command motion_emotions_command() {
     bool posture = false;
   };
   const auto options = std::make_shared<Options>();
-  return {
-      .name = "emotions",
-      .summary = "List the emotions that can be applied to motions",
-      .options =
-          {option("--recipes", &options->recipes,
-                  "builtin, builtin@0.2 (those of mien 0.2), fig29 (after figure 29 of a thesis on "
-                  "emotion in motion capture), or a file of recipes")
-               .with_default(),
-           flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
-           flag("--posture", &options->posture,
-                "List the rotations that can be named in `posture:`")},
-      .notes =
-          "To start your own file of recipes:\n"
-          "  mien motion emotions --yaml > my.recipes.yaml",
-      .run = [options](const Console& console) {
-        return emotions(options->recipes, options->yaml, options->posture, console);
-      }};
+  return {.name = "emotions",
+          .summary = "List the emotions that can be applied to motions",
+          .options = {option("--recipes", &options->recipes, named_recipes).with_default(),
+                      flag("--yaml", &options->yaml, "Print the recipes as a recipes file"),
+                      flag("--posture", &options->posture,
+                           "List the rotations that can be named in `posture:`")},
+          .notes =
+              "To start your own file of recipes:\n"
+              "  mien motion emotions --yaml > my.recipes.yaml",
+          .run = [options](const Console& console) {
+            return emotions(options->recipes, options->yaml, options->posture, console);
+          }};
 }
 
 }  // namespace mien::pipeline

@@ -255,7 +255,8 @@ Command motion_stream_command() {
                   "A recording of the same rig (FILE or FILE#TAKE) from which its proportions and "
                   "floor are measured"),
            option("--recipes", &options->recipes,
-                  "builtin@0.2 (those of mien 0.2, which can be streamed), builtin, fig29 (after "
+                  "builtin@0.2 (those of mien 0.2, which can be streamed), builtin@0.3, builtin, "
+                  "fig29 (after "
                   "figure 29 of a thesis on emotion in motion capture), or a file of recipes")
                .with_default(),
            flag("--measure", &options->measure,

@@ -93,9 +93,10 @@ Command study_recipes_command() {
           argument("manifests", &options->manifests,
                    "Manifests with neutral motions (role: reference) and acted versions of them "
                    "(factors: {neutral: ID, emotion: NAME})"),
-          option("--recipes", &options->recipes,
-                 "builtin, builtin@0.2 (those of mien 0.2), fig29, or a file of recipes (default: "
-                 "those of each manifest)"),
+          option(
+              "--recipes", &options->recipes,
+              "builtin, builtin@0.2 or builtin@0.3 (those of mien 0.2 or 0.3), fig29, or a file of "
+              "recipes (default: those of each manifest)"),
           option("-o,--output", &options->out,
                  "Folder for recipe-results.csv and recipe-summary.csv")),
       .notes =

@@ -14,6 +14,7 @@
 #include "pipeline/manifest/people.h"
 
 #include "embedded/emotions_0_2_recipes.h"
+#include "embedded/emotions_0_3_recipes.h"
 #include "embedded/emotions_recipes.h"
 #include "embedded/fig29_recipes.h"
 
@@ -137,6 +138,7 @@ std::vector<std::string> RecipeBook::names() const {
 std::string_view builtin_recipes_text(std::string_view name) {
   if (name == "builtin") return embedded_emotions_recipes;
   if (name == "builtin@0.2") return embedded_emotions_0_2_recipes;
+  if (name == "builtin@0.3") return embedded_emotions_0_3_recipes;
   if (name == "fig29") return embedded_fig29_recipes;
   return {};
 }
@@ -148,7 +150,7 @@ RecipeBook read_recipes(const std::string& source, const fs::path& file) {
   const motion::FileReading reading = motion::bytes_of_file(file, motion::max_document_bytes);
   if (reading.bytes) return parse_recipes(*reading.bytes, file);
   throw Error(Place{file.string(), 0, 0}, reading.error,
-              "name a file of recipes (YAML), builtin, builtin@0.2 or fig29");
+              "name a file of recipes (YAML), builtin, builtin@0.2, builtin@0.3 or fig29");
 }
 
 RecipeBook parse_recipes(std::string_view yaml, const fs::path& file) {

@@ -35,11 +35,12 @@ void fields_of(auto&& field, MaybeConst<RecipeBook> auto& book) {
 
 /// Returns the text of a built-in recipes file: "builtin" (in the actor's own terms,
 /// fitted to acted motions, see motion/README.md), "builtin@0.2" (those of mien 0.2, after the
-/// emotion thesis) or "fig29" (figure 29 of that thesis). Empty for any other name.
+/// emotion thesis), "builtin@0.3" (those of mien 0.3) or "fig29" (figure 29 of that thesis). Empty
+/// for any other name.
 std::string_view builtin_recipes_text(std::string_view name);
 
-/// Returns the recipes of "builtin", "builtin@0.2", "fig29" or a file. Throws Faults that
-/// list the faults of the file, and Error if it cannot be read. Example of a file:
+/// Returns the recipes of "builtin", "builtin@0.2", "builtin@0.3", "fig29" or a file. Throws Faults
+/// that list the faults of the file, and Error if it cannot be read. Example of a file:
 ///
 ///     name: my emotions
 ///     recipes:

@@ -49,7 +49,9 @@ std::string recipe_book(MethodsText& out) {
   if (!out.manifest.recipes.file.empty()) return out.manifest.recipes.file.filename().string();
   if (out.manifest.recipes.name == "fig29")
     return "figure 29 of the emotion thesis, with mien's numbers";
-  return out.manifest.recipes.name == "builtin@0.2" ? "those of mien 0.2, after the emotion thesis"
+  if (out.manifest.recipes.name == "builtin@0.2")
+    return "those of mien 0.2, after the emotion thesis";
+  return out.manifest.recipes.name == "builtin@0.3" ? "those of mien 0.3, fitted to acted motions"
                                                     : "mien's own, fitted to acted motions";
 }
 

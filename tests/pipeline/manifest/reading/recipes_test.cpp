@@ -56,6 +56,15 @@ TEST(Recipes, OfOurOwnNameAllOfTheThesisAndAreAllowed) {
   }
 }
 
+TEST(Recipes, OfFormerVersionsStay) {
+  const auto tempo_of_strong = [](const char* recipes) {
+    return read_recipes(recipes, "").find("strong")->edit.values.tempo.factor;
+  };
+  EXPECT_EQ(tempo_of_strong("builtin@0.2"), 1.0);
+  EXPECT_EQ(tempo_of_strong("builtin@0.3"), 0.73);
+  EXPECT_EQ(read_recipes("builtin@0.3", "").names(), read_recipes("builtin", "").names());
+}
+
 TEST(Recipes, NameEveryPostureUnitOfTheProgram) {
   const nlohmann::json& schema = manifest_schema();
   const nlohmann::json& properties =

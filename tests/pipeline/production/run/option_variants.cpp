@@ -743,7 +743,7 @@ const Values chosen_values[] = {
     {"examples.expect[].order", R"([["sad", "normal"], ["normal", "sad"]])"},
     {"examples.expect",
      R"([[{"parameter": "quickness", "order": ["sad", "normal"]}], [{"parameter": "largeness", "order": ["sad", "normal"]}]])"},
-    {"recipes", R"(["builtin", "builtin@0.2", "fig29"])"},
+    {"recipes", R"(["builtin", "builtin@0.2", "builtin@0.3", "fig29"])"},
     {"on_fault", R"(["warn", "reduce"])"},
     {"look.scene.set", R"(["void", "corridor"])"},
     {"look.scene.background", R"(["#405060", "#605040"])"},
