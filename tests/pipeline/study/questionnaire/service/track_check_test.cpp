@@ -169,9 +169,10 @@ void expect_skipped_only_where_the_track_has_ended(const char* more) {
     ended["track_ended"] = true;
     const bool has_ended = trial.is_adaptive() && !page.place_of(trial);
     EXPECT_EQ(page.refusal(ended).empty(), has_ended) << trial.number;
-    if (has_ended)
+    if (has_ended) {
       EXPECT_EQ(page.refusal(page.shown_record(trial, 2, "no")),
                 "the track of this trial has ended");
+    }
     const nlohmann::json good = page.record_of(trial, 3);
     ASSERT_EQ(page.refusal(good), "");
     page.keep(good);
