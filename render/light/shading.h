@@ -19,10 +19,10 @@ struct Surface {
 /// Returns the surface of a shape at `point`, seen along `direction`. Normals of meshes are
 /// interpolated between their vertices (Phong 1975); rays leave from the curved surface that those
 /// normals imply, so that triangle edges do not show at the shadow terminator (Hanika 2021).
-/// `point` may also lie beside the shape, by a pixel's width: what the nearest point of it has
-/// counts. `shape` numbers the round cones and spheres of `shapes` first, and its triangles after
-/// them. If the solids move, `closing` holds them at the end of the frame interval, time 1;
-/// otherwise it is null.
+/// `point` may lie beside the shape, by a pixel's width; barycentric coordinates are then clamped.
+/// `shape` numbers the round cones and spheres of `shapes` first, and its triangles after them. If
+/// the solids move, `closing` holds them at the end of the frame interval, time 1; otherwise it is
+/// null.
 Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closing,
                    const Shapes& shapes, int shape, const Vec3& point, const Vec3& direction,
                    float time);

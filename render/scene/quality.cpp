@@ -21,6 +21,7 @@ Quality standard_quality() { return {}; }
 Quality final_quality() {
   Quality quality;
   quality.samples_per_pixel = 128;
+  quality.samples_shaded_together = 1;
   quality.figure_sharing_pixels = quality.floor_sharing_pixels = 0;
   quality.static_samples = 256;
   quality.floor_sky_noise = 0.001f;

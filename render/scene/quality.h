@@ -14,14 +14,14 @@ enum class Background {
 /// Settings for the quality and cost of a picture. The same scene, camera and settings give the
 /// same bytes.
 ///
-/// A shaded sample of a solid casts one shadow ray per light, as does one of the floor unless
-/// pixels share what is occluded there.
+/// A sample of a solid or of the floor casts one shadow ray per light, unless pixels share what is
+/// occluded there.
 struct Quality {
   int samples_per_pixel = 16;  ///< each is a primary ray where the pixel may show a solid
   int sky_rays = 2;            ///< rays towards the sky for each shaded sample that does not share
   /// Number of samples of a pixel for which the surface is evaluated once where they show the same
   /// one of a figure, at the mean of their points; each still casts its shadow rays. Has no effect
-  /// under motion blur or depth of field.
+  /// under motion blur or depth of field. 1 to 4.
   int samples_shaded_together = 4;
 
   /// Samples that show the same part of a figure share what they find occluded of the sky within so
@@ -29,8 +29,8 @@ struct Quality {
   int figure_sharing_pixels = 2;
   /// Whether they share what is occluded of the area lights, too. Otherwise each casts shadow rays.
   bool figure_shares_lights = false;
-  /// As above for what shadow rays find occluded of the area lights on the floor. Has no effect if
-  /// the camera moves or has an aperture.
+  /// As figure_sharing_pixels for what shadow rays find occluded of the area lights on the floor.
+  /// Has no effect if the camera moves or has an aperture.
   int floor_sharing_pixels = 1;
   /// Of the samples that share, one of so many casts rays: on figures, and on the floor where the
   /// figure may occlude a light.

@@ -46,8 +46,9 @@ inline constexpr BiasBound floor_light_bias{0.003, 0.003, 0.003};
 inline constexpr BiasBound figure_sky_bias{0.04, 0.02, 0.0};
 
 /// Bias as a share of the light on a lit solid, in blocks of 10 x 10 pixels: in drafts, the edges
-/// of shadows on it are blurred by 3 pixels.
-inline constexpr BiasBound figure_light_bias{0.05, 0.0, 0.0};
+/// of shadows on it are blurred by 3 pixels; in drafts and standard quality, samples of a pixel are
+/// shaded together.
+inline constexpr BiasBound figure_light_bias{0.05, 0.01, 0.0};
 
 /// Bias as a share of the light on the floor, in blocks of 10 x 10 pixels: in drafts and standard
 /// quality, shadows are blurred by 2 and 1 pixels.

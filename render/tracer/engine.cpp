@@ -159,6 +159,7 @@ Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camer
                                          const Quality& quality, const StaticBackground& open) {
   Quality thorough = quality;
   thorough.samples_per_pixel = quality.static_samples;
+  thorough.samples_shaded_together = 1;
   thorough.floor_sky_smooth = false;
   thorough.figure_sharing_pixels = thorough.floor_sharing_pixels = 0;
   thorough.floor_sky_cell = std::min(quality.floor_sky_cell, closest_points);

@@ -32,8 +32,8 @@ struct LightRay {
   Color irradiance;
 };
 
-/// Calls `work` with the number in the batch and the ray of each surface that the point `u` of a
-/// light reaches where nothing occludes it.
+/// Calls `work` with the number in the batch and the ray of each surface that faces the point `u`
+/// of a light; whether anything occludes it is not tested.
 template <class Work>
 void for_lit(const AreaLight& light, std::span<const ShadingPoint> batch,
              const LaneVectors& origins, const LanePoints& u, const Work& work) {
@@ -83,9 +83,17 @@ int most_samples(std::span<const ShadingPoint> batch) {
   return most;
 }
 
-LaneVectors origins_of(std::span<const ShadingPoint> batch) {
+/// Where the ray of one of the samples leaves that a point represents.
+const Vec3& origin_of(const ShadingPoint& point, int number) {
+  return number == 0 ? point.surface.origin
+                     : point.more_origins[static_cast<std::size_t>(number) - 1];
+}
+
+/// For sample `number`, or the last one of a point that represents fewer.
+LaneVectors origins_of(std::span<const ShadingPoint> batch, int number = 0) {
   LaneVectors origins;
-  for (int i = 0; const ShadingPoint& point : batch) origins.set(i++, point.surface.origin);
+  for (int i = 0; const ShadingPoint& point : batch)
+    origins.set(i++, origin_of(point, std::min(number, point.sample.count - 1)));
   return origins;
 }
 
@@ -108,55 +116,58 @@ void Lighting::subtract(std::span<const ShadingPoint> points, bool of_all) {
 void Lighting::shade_batch(std::span<const ShadingPoint> batch, bool of_figure) {
   for (const ShadingPoint& point : batch)
     add_known(point.sample, point.surface.material->emission, of_figure);
-  if (of_figure && shares_sky_) find_groups(batch);
-  add_area_lights(batch, origins_of(batch), of_figure);
+  if (of_figure && shares_sky_) assign_groups(batch);
+  add_area_lights(batch, of_figure);
   add_sky(batch, normals_of(batch), of_figure);
 }
 
-void Lighting::add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
-                               bool of_figure) {
+void Lighting::add_area_lights(std::span<const ShadingPoint> batch, bool of_figure) {
   const bool shares = of_figure && shares_lights_;
-  const std::uint32_t all = ~0u >> (32 - batch.size());
   for (int k = 0; const AreaLight& light : prepared_.scene.lights) {
     const int number = k++;
-    const std::uint32_t shared = shares ? add_shared(light, batch, origins) : 0;
-    for (int time = 0; shared != all && time < most_samples(batch); ++time) {
-      const LanePoints u = points_for(batch, Dimension::FirstLight, number, 1, time);
-      for_lit(light, batch, origins, u, [&](std::size_t i, const LightRay& ray) {
-        if (((shared >> i) & 1u) != 0 || time >= batch[i].sample.count) return;
-        const Color radiance = ray.irradiance * reflectance(batch[i].surface, ray.towards);
-        enqueue({batch[i].sample, radiance, of_figure ? &Pixel::figure : &Pixel::set,
-                 Decision::adds_if_visible},
-                batch[i].surface.origin, ray.towards, ray.distance);
+    const std::uint32_t asked = shares ? add_unoccluded(light, batch) : ~0u;
+    for (int ray = 0; asked != 0 && ray < most_samples(batch); ++ray) {
+      const LanePoints u = points_for(batch, Dimension::FirstLight, number, 1, ray);
+      for_lit(light, batch, origins_of(batch, ray), u, [&](std::size_t i, const LightRay& lit) {
+        if (((asked >> i) & 1u) == 0 || ray >= batch[i].sample.count) return;
+        const Surface& surface = batch[i].surface;
+        Color reflected = reflectance(surface, lit.towards);
+        if (shares) reflected -= surface.albedo / pi;
+        enqueue({batch[i].sample, lit.irradiance * reflected,
+                 of_figure ? &Pixel::figure : &Pixel::set, Decision::adds_if_visible},
+                origin_of(batch[i], ray), lit.towards, lit.distance);
       });
     }
   }
 }
 
-// Adds the unoccluded light, and returns for which points (bit i: number i of the batch) its
-// occlusion is shared: not for those that shine more than they scatter, because the occlusion of
-// their neighbours is that of what is scattered. The points of the light need not be random.
-std::uint32_t Lighting::add_shared(const AreaLight& light, std::span<const ShadingPoint> batch,
-                                   const LaneVectors& origins) {
+// Adds the unoccluded light that is scattered, of which the occluded share is subtracted later.
+// Returns which points (bit i: number i of the batch) need shadow rays for what they reflect
+// beside: if it is little, it is added, too. The points of the light need not be random.
+std::uint32_t Lighting::add_unoccluded(const AreaLight& light,
+                                       std::span<const ShadingPoint> batch) {
+  const LaneVectors origins = origins_of(batch);
+  constexpr float little = 0.1f;  // of what is scattered
   constexpr auto points = static_cast<float>(diagonal_points.size());
-  std::array<Color, lanes> reflected, scattered;
-  reflected.fill(Color::Zero());
+  std::array<Color, lanes> scattered, shining;
   scattered.fill(Color::Zero());
+  shining.fill(Color::Zero());
   for (const float u : diagonal_points) {
     for_lit(light, batch, origins, point_in_all_lanes(u, u),
-            [&](std::size_t i, const LightRay& ray) {
+            [&](std::size_t i, const LightRay& lit) {
               const Surface& surface = batch[i].surface;
-              reflected[i] += ray.irradiance * reflectance(surface, ray.towards) / points;
-              scattered[i] += ray.irradiance * surface.albedo / (points * pi);
+              const Color diffuse = surface.albedo / pi;
+              scattered[i] += lit.irradiance * diffuse / points;
+              shining[i] += lit.irradiance * (reflectance(surface, lit.towards) - diffuse) / points;
             });
   }
-  std::uint32_t shared = 0;
+  std::uint32_t asked = 0;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (reflected[i].sum() > 2.0f * scattered[i].sum()) continue;
-    shared |= 1u << i;
-    add_shared(i, batch[i].sample, reflected[i]);
+    const bool needs_rays = shining[i].sum() > little * scattered[i].sum();
+    if (needs_rays) asked |= 1u << i;
+    add_to_group(i, batch[i].sample, needs_rays ? scattered[i] : Color(scattered[i] + shining[i]));
   }
-  return shared;
+  return asked;
 }
 
 // The unoccluded sky's light is known in closed form; what is occluded is shared, or rays subtract
@@ -171,7 +182,7 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
     if (is_black(surface)) continue;
     const Color light = surface.albedo * unoccluded_sky_light(sky, surface.normal);
     if (shares)
-      add_shared(i, sample, light);
+      add_to_group(i, sample, light);
     else
       add_known(sample, light, of_figure);
   }
@@ -186,23 +197,23 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
       if (is_black(surface) || k >= rays * batch[i].sample.count) continue;
       const Vec3 direction = towards.at(static_cast<int>(i));
       const Color light = surface.albedo * (share * sky_radiance(sky, direction));
+      const Vec3& origin = origin_of(batch[i], k / rays);
       enqueue({batch[i].sample, light, of_figure ? &Pixel::figure : &Pixel::set,
                Decision::subtracts_if_occluded},
-              surface.origin, direction,
-              distance_to_end(prepared_.scene, surface.origin, direction));
+              origin, direction, distance_to_end(prepared_.scene, origin, direction));
     }
   }
 }
 
 // Adds light of the figure that is `number` of a batch, of which the occluded share is subtracted
 // later.
-void Lighting::add_shared(std::size_t number, const Sample& sample, const Color& light) {
+void Lighting::add_to_group(std::size_t number, const Sample& sample, const Color& light) {
   add_known(sample, light, true);
   groups_[group_numbers_[number]].light += static_cast<float>(sample.count) * light;
 }
 
 // Finds or makes the groups of points; those of a pixel come one after the other.
-void Lighting::find_groups(std::span<const ShadingPoint> batch) {
+void Lighting::assign_groups(std::span<const ShadingPoint> batch) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     Pixel* pixel = batch[i].sample.pixel;
     const int part = batch[i].surface.part;
@@ -295,6 +306,7 @@ void Lighting::trace() {
 void Lighting::finish() {
   trace();
   for (const Group& group : groups_) {
+    if ((group.light == 0.0f).all()) continue;
     Pixel& pixel = *group.pixel;
     pixel.figure -= group.light * prepared_.shared_occlusion.on_figure(pixel.x, pixel.y, group.part,
                                                                        group.normals);

@@ -59,13 +59,11 @@ class Lighting {
   void shade_batch(std::span<const ShadingPoint> batch, bool of_figure);
   void subtract(std::span<const ShadingPoint> points, bool of_all);
   void subtract_batch(std::span<const ShadingPoint> batch, bool of_all);
-  void add_area_lights(std::span<const ShadingPoint> batch, const LaneVectors& origins,
-                       bool of_figure);
-  std::uint32_t add_shared(const AreaLight& light, std::span<const ShadingPoint> batch,
-                           const LaneVectors& origins);
+  void add_area_lights(std::span<const ShadingPoint> batch, bool of_figure);
+  std::uint32_t add_unoccluded(const AreaLight& light, std::span<const ShadingPoint> batch);
   void add_sky(std::span<const ShadingPoint> batch, const LaneVectors& normals, bool of_figure);
-  void add_shared(std::size_t number, const Sample& sample, const Color& light);
-  void find_groups(std::span<const ShadingPoint> batch);
+  void add_to_group(std::size_t number, const Sample& sample, const Color& light);
+  void assign_groups(std::span<const ShadingPoint> batch);
 
   /// Queues a shadow ray; `query.light` is the radiance that it contributes.
   void enqueue(const Query& query, const Vec3& origin, const Vec3& direction, float distance);

@@ -51,13 +51,18 @@ struct Sample {
   int index = 0;
   float time = 0.0f;
   std::uint32_t present = ~0u;  ///< bit f: figure f is present
-  int count = 1;                ///< number of its pixel's samples, from it on, that it represents
+  int count = 1;                ///< number of its pixel's samples that it represents
 };
+
+/// Limit of Quality::samples_shaded_together.
+inline constexpr std::size_t most_shaded_together = 4;
 
 /// A point that a sample shows and that is lit or shadowed.
 struct ShadingPoint {
   Sample sample;
   Surface surface;
+  /// Starts of the shadow rays of the second, third and fourth sample that it represents.
+  std::array<Vec3, most_shaded_together - 1> more_origins;
   // For Lighting::subtract_shadow and subtract_all_shadows only.
   std::uint32_t lights = ~0u;  ///< bit i: a shadow ray to light i is cast
   SkyRays sky;                 ///< sky rays of its pixel

@@ -29,7 +29,7 @@ class SharedOcclusion {
     int part;                        ///< index into Scene::parts, or floor_part
     Vec3 normal;                     ///< unit; of no account on the floor
     Color occluded = Color::Zero();  ///< irradiance, divided by π
-    Color light = Color::Ones();     ///< what it is without occlusion; of no account on the floor
+    Color light = Color::Zero();     ///< what it is without occlusion; of no account on the floor
   };
 
   SharedOcclusion() = default;  ///< nothing is shared

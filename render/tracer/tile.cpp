@@ -38,12 +38,11 @@ class TileRenderer {
 
  private:
   /// The last samples that show the figure, of one pixel and surface.
-  struct Last {
-    Sample sample{.count = 0};       // the first of them
-    FirstHit hit;                    // its hit
-    Vec3 point = Vec3::Zero();       // its point
-    Vec3 points = Vec3::Zero();      // sum of their points
-    Vec3 directions = Vec3::Zero();  // sum of the directions of their rays
+  struct Pending {
+    Sample sample{.count = 0};                      // the first of them
+    FirstHit hit;                                   // its hit
+    std::array<Vec3, most_shaded_together> points;  // that they show
+    Vec3 directions = Vec3::Zero();                 // sum of the directions of their rays
   };
 
   void draw_band(const Tile& band, const Canvas& canvas);
@@ -56,8 +55,8 @@ class TileRenderer {
   void trace_batch(std::span<const Sample> samples);
   void show_floor(std::span<const Sample> samples);
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
-  void finish_last();
-  bool joins_last(const Sample& sample, const FirstHit& hit) const;
+  void finish_pending();
+  bool joins_pending(const Sample& sample, const FirstHit& hit) const;
   bool are_of_one_surface(const FirstHit& one, const FirstHit& other) const;
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
@@ -83,7 +82,7 @@ class TileRenderer {
   std::vector<Sample> floor_samples_;   // that show the floor only
   std::vector<Sample> own_samples_;     // of a batch, that render their own background
   std::vector<ShadingPoint> figure_points_;
-  Last last_;
+  Pending pending_;
   std::vector<ShadingPoint> set_points_;     // of static solids, not rendered before
   std::vector<ShadingPoint> shadow_points_;  // of the static background
   std::vector<ShadingPoint> floor_points_;   // of the unshadowed floor
@@ -223,53 +222,75 @@ void TileRenderer::add_figure(const Sample& sample, const RayPacket& rays, int r
                               const FirstHit& hit) {
   ++sample.pixel->covered;
   const Vec3 direction = rays.direction(ray);
-  const Vec3 point = rays.origin(ray) + hit.distance * direction;
-  if (joins_last(sample, hit)) {
-    ++last_.sample.count;
-    last_.points += point;
-    last_.directions += direction;
-    return;
+  if (joins_pending(sample, hit)) {
+    ++pending_.sample.count;
+    pending_.directions += direction;
+  } else {
+    finish_pending();
+    pending_.sample = sample;
+    pending_.hit = hit;
+    pending_.directions = direction;
   }
-  finish_last();
-  last_ = {sample, hit, point, point, direction};
+  pending_.points[static_cast<std::size_t>(pending_.sample.count) - 1] =
+      rays.origin(ray) + hit.distance * direction;
 }
 
-// Evaluates the surface that the last samples show at the mean of their points: on surfaces that
-// hardly bend within a pixel, that is the mean of their surfaces. Shadow rays leave from the first
-// point, because the mean may lie below the surface.
-void TileRenderer::finish_last() {
-  const Sample& sample = last_.sample;
+// Evaluates the surface that the pending samples show at the mean of their points: on surfaces that
+// hardly bend within a pixel, that is the mean of their surfaces. Their shadow rays leave from the
+// points themselves, because the mean may lie below the surface.
+void TileRenderer::finish_pending() {
+  const Sample& sample = pending_.sample;
   if (sample.count == 0) return;
-  const Vec3 mean = last_.points / static_cast<float>(sample.count);
-  ShadingPoint& point = figure_points_.emplace_back(ShadingPoint{
-      sample, surface_at(prepared_, last_.hit, mean, last_.directions.normalized(), sample.time)});
-  point.surface.origin += last_.point - mean;
-  last_.sample.count = 0;
+  const auto count = static_cast<std::size_t>(sample.count);
+  Vec3 mean = pending_.points[0];
+  for (std::size_t k = 1; k < count; ++k) mean += pending_.points[k];
+  mean /= static_cast<float>(count);
+  ShadingPoint point{sample, surface_at(prepared_, pending_.hit, mean,
+                                        pending_.directions.normalized(), sample.time)};
+  const Vec3 off_surface = point.surface.origin - mean;
+  point.surface.origin = pending_.points[0] + off_surface;
+  for (std::size_t k = 1; k < count; ++k)
+    point.more_origins[k - 1] = pending_.points[k] + off_surface;
+  figure_points_.push_back(point);
+  pending_.sample.count = 0;
 }
 
-bool TileRenderer::joins_last(const Sample& sample, const FirstHit& hit) const {
+bool TileRenderer::joins_pending(const Sample& sample, const FirstHit& hit) const {
   const int together = prepared_.quality.samples_shaded_together;
-  const Sample& last = last_.sample;
-  return together > 1 && last.count > 0 && !prepared_.is_per_sample() &&
-         last.pixel == sample.pixel && last.index / together == sample.index / together &&
-         last.present == sample.present &&
-         are_of_one_surface(last_.hit, hit);
+  const Sample& first = pending_.sample;
+  const bool moves = prepared_.is_per_sample() || prepared_.closing_solids != nullptr;
+  return together > 1 && !moves && first.count > 0 && first.pixel == sample.pixel &&
+         first.index / together == sample.index / together && first.present == sample.present &&
+         are_of_one_surface(pending_.hit, hit);
 }
 
-// Of hits in one pixel: whether they are of one round cone, or of triangles of one mesh that lie at
-// about the same distance.
+// Of hits in one pixel: whether they are of one triangle, of one round cone that hardly bends
+// within a pixel, or of triangles of one mesh at about the same distance and with about the same
+// normal.
 bool TileRenderer::are_of_one_surface(const FirstHit& one, const FirstHit& other) const {
-  if (one.shape == other.shape) return true;
-  const Shapes& shapes = prepared_.figure.shapes();
-  const int cones = static_cast<int>(shapes.cones.size());
-  if (one.shape < cones || other.shape < cones) return false;
-  const auto mesh_of = [&](int shape) {
-    return shapes.sources[static_cast<std::size_t>(shape - cones)].mesh;
-  };
+  constexpr float pixels_of_radius = 3.0f, pixels_of_distance = 2.0f, cosine = 0.95f;
   const float pixel = prepared_.camera.step_right.norm() *
                       (prepared_.camera.parallel ? 1.0f : one.distance);  // width, metres
-  return mesh_of(one.shape) == mesh_of(other.shape) &&
-         std::abs(one.distance - other.distance) < 2.0f * pixel;
+  const Shapes& shapes = prepared_.figure.shapes();
+  const int cones = static_cast<int>(shapes.cones.size());
+  if (one.shape < cones || other.shape < cones) {
+    if (one.shape != other.shape) return false;
+    const PreparedCone& cone = shapes.cones[static_cast<std::size_t>(one.shape)];
+    return std::min(cone.radius_a, cone.radius_b) > pixels_of_radius * pixel;
+  }
+  if (one.shape == other.shape) return true;
+  const auto source = [&](const FirstHit& hit) {
+    return shapes.sources[static_cast<std::size_t>(hit.shape - cones)];
+  };
+  if (source(one).mesh != source(other).mesh ||
+      std::abs(one.distance - other.distance) >= pixels_of_distance * pixel)
+    return false;
+  const Mesh& mesh = prepared_.solids.meshes[static_cast<std::size_t>(source(one).mesh)];
+  const auto normal = [&](const FirstHit& hit) -> const Vec3& {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(source(hit).triangle)];
+    return mesh.normals[static_cast<std::size_t>(corners[0])];
+  };
+  return normal(one).dot(normal(other)) > cosine;
 }
 
 void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, int ray,
@@ -323,7 +344,7 @@ void TileRenderer::add_own_background(std::span<const Sample> samples, const Ray
 }
 
 void TileRenderer::light() {
-  finish_last();
+  finish_pending();
   lighting_.shade(figure_points_, true);
   lighting_.shade(set_points_, false);
   lighting_.subtract_shadow(shadow_points_);

@@ -23,6 +23,9 @@ void check(const Quality& quality) {
       throw std::invalid_argument(
           "quality: occlusion can be shared within 0 to 64 pixels, with 1 or more samples per "
           "shared ray");
+  if (quality.samples_shaded_together < 1 ||
+      quality.samples_shaded_together > static_cast<int>(most_shaded_together))
+    throw std::invalid_argument("quality: 1 to 4 samples can be shaded together");
   if (!(quality.shutter >= 0.0f && quality.shutter <= 1.0f))
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }
