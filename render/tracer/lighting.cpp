@@ -147,7 +147,7 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, bool of_figu
 std::uint32_t Lighting::add_unoccluded(const AreaLight& light,
                                        std::span<const ShadingPoint> batch) {
   const LaneVectors origins = origins_of(batch);
-  constexpr float little = 0.1f;  // of what is scattered
+  constexpr float little = 0.25f;  // of what is scattered
   constexpr auto points = static_cast<float>(diagonal_points.size());
   std::array<Color, lanes> scattered, shining;
   scattered.fill(Color::Zero());

@@ -307,9 +307,9 @@ TEST(SharedOcclusion, KeepsTheMeansOfBlocks) {
 }
 
 /// The legs, dark and shining, of which one shadows the other from one of two lights, under a sky.
-View dark_legs() {
+View dark_legs(float brightness) {
   View view = lit_legs();
-  view.scene.materials[0].albedo = {0.06f, 0.05f, 0.04f};
+  view.scene.materials[0].albedo = brightness * Color(0.06f, 0.05f, 0.04f);
   view.scene.lights.push_back(
       softbox({0.5f, 1.8f, 1.6f}, {0.0f, 0.5f, 0.0f}, 0.3f, 0.3f, Color::Constant(40.0f)));
   view.scene.sky.zenith = Color::Constant(0.5f);
@@ -330,7 +330,8 @@ View legs_beside_a_wide_light() {
 }
 
 TEST(SharedOcclusion, KeepsTheMeansOfLitBlocks) {
-  for (const View& legs : {lit_legs(), legs_beside_a_wide_light(), dark_legs()}) {
+  for (const View& legs : {lit_legs(), legs_beside_a_wide_light(), dark_legs(1.0f), dark_legs(3.0f),
+                           dark_legs(6.0f)}) {
     for (const Sharing& how : sharing) {
       SCOPED_TRACE(how.name);
       const View shared = seen_in(legs, how.quality);
