@@ -7,6 +7,7 @@
 #include "render/image/luminance.h"
 #include "render/tracer/engine.h"
 #include "render/tracer/layer_pass.h"
+#include "render/tracer/samples.h"
 
 namespace mien::render {
 
