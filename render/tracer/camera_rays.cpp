@@ -1,6 +1,7 @@
 #include "render/tracer/camera_rays.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/light/floor.h"
 #include "render/math/constants.h"
@@ -110,6 +111,32 @@ Surface surface_at(const PreparedScene& prepared, const RayPacket& rays, int ray
   const Vec3 direction = rays.direction(ray);
   return surface_at(prepared, hit, rays.origin(ray) + hit.distance * direction, direction,
                     rays.time[ray]);
+}
+
+bool are_of_one_surface(const PreparedScene& prepared, const FirstHit& one, const FirstHit& other) {
+  constexpr float pixels_of_radius = 3.0f, pixels_of_distance = 2.0f, cosine = 0.95f;
+  const float pixel = prepared.camera.step_right.norm() *
+                      (prepared.camera.parallel ? 1.0f : one.distance);  // width, metres
+  const Shapes& shapes = prepared.figure.shapes();
+  const int cones = static_cast<int>(shapes.cones.size());
+  if (one.shape < cones || other.shape < cones) {
+    if (one.shape != other.shape) return false;
+    const PreparedCone& cone = shapes.cones[static_cast<std::size_t>(one.shape)];
+    return std::min(cone.radius_a, cone.radius_b) > pixels_of_radius * pixel;
+  }
+  if (one.shape == other.shape) return true;
+  const auto source = [&](const FirstHit& hit) {
+    return shapes.sources[static_cast<std::size_t>(hit.shape - cones)];
+  };
+  if (source(one).mesh != source(other).mesh ||
+      std::abs(one.distance - other.distance) >= pixels_of_distance * pixel)
+    return false;
+  const Mesh& mesh = prepared.solids.meshes[static_cast<std::size_t>(source(one).mesh)];
+  const auto normal = [&](const FirstHit& hit) -> const Vec3& {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(source(hit).triangle)];
+    return mesh.normals[static_cast<std::size_t>(corners[0])];
+  };
+  return normal(one).dot(normal(other)) > cosine;
 }
 
 }  // namespace mien::render

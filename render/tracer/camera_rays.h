@@ -35,6 +35,11 @@ struct FirstHit {
 std::array<FirstHit, packet_size> first_hits(const PreparedScene& prepared, const RayPacket& rays,
                                              bool with_figure = true);
 
+/// Returns whether two hits of figures in one pixel are of one triangle, of one round cone that
+/// hardly bends within a pixel, or of triangles of one mesh at about the same distance and with
+/// about the same normal.
+bool are_of_one_surface(const PreparedScene& prepared, const FirstHit& one, const FirstHit& other);
+
 /// Returns the surface of a solid that a ray hit, as seen along `direction` at a point.
 Surface surface_at(const PreparedScene& prepared, const FirstHit& hit, const Vec3& point,
                    const Vec3& direction, float time);

@@ -60,11 +60,13 @@ inline constexpr BiasBound floor_shadow_bias{0.02, 0.01, 0.0};
 inline constexpr std::array contract{
     ContractRow{"edges of solids", Accuracy::unbiased, no_bias, "camera rays",
                 "Contract.HoldsPerBlock"},
-    ContractRow{"light of the area lights on solids", Accuracy::biased, figure_light_bias,
-                "shadow rays; in drafts that of two points of each light, less the mean of what "
-                "shadow rays of neighbouring samples of one surface find occluded",
-                "Contract.HoldsPerBlock (unshared), Contract.HoldsWhereOcclusionIsShared, "
-                "SharedOcclusion.KeepsTheMeansOfLitBlocks"},
+    ContractRow{
+        "light of the area lights on solids", Accuracy::biased, figure_light_bias,
+        "shadow rays; the surface is that at the mean of up to four points; in drafts light "
+        "of two points of each light, less the mean of what shadow rays of neighbouring "
+        "samples of one surface find occluded, and specular highlights by shadow rays",
+        "Contract.HoldsPerBlock (unshared), Contract.HoldsWhereOcclusionIsShared, "
+        "SharedOcclusion.KeepsTheMeansOfLitBlocks"},
     ContractRow{"light of the sky on solids", Accuracy::biased, figure_sky_bias,
                 "closed form, less what shadow rays find occluded, in drafts and standard quality "
                 "the mean over neighbouring samples of one surface",

@@ -125,11 +125,11 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, bool of_figu
   const bool shares = of_figure && shares_lights_;
   for (int k = 0; const AreaLight& light : prepared_.scene.lights) {
     const int number = k++;
-    const std::uint32_t asked = shares ? add_unoccluded(light, batch) : ~0u;
-    for (int ray = 0; asked != 0 && ray < most_samples(batch); ++ray) {
+    const std::uint32_t needing_rays = shares ? add_unoccluded(light, batch) : ~0u;
+    for (int ray = 0; needing_rays != 0 && ray < most_samples(batch); ++ray) {
       const LanePoints u = points_for(batch, Dimension::FirstLight, number, 1, ray);
       for_lit(light, batch, origins_of(batch, ray), u, [&](std::size_t i, const LightRay& lit) {
-        if (((asked >> i) & 1u) == 0 || ray >= batch[i].sample.count) return;
+        if (((needing_rays >> i) & 1u) == 0 || ray >= batch[i].sample.count) return;
         const Surface& surface = batch[i].surface;
         Color reflected = reflectance(surface, lit.towards);
         if (shares) reflected -= surface.albedo / pi;
@@ -141,33 +141,35 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, bool of_figu
   }
 }
 
-// Adds the unoccluded light that is scattered, of which the occluded share is subtracted later.
-// Returns which points (bit i: number i of the batch) need shadow rays for what they reflect
-// beside: if it is little, it is added, too. The points of the light need not be random.
+// Adds the unoccluded diffuse reflection, of which the occluded share is subtracted later. Returns
+// which points (bit i: number i of the batch) need shadow rays for their specular reflection; that
+// of the others is small, and added here. The points of the light need not be random.
 std::uint32_t Lighting::add_unoccluded(const AreaLight& light,
                                        std::span<const ShadingPoint> batch) {
   const LaneVectors origins = origins_of(batch);
-  constexpr float little = 0.25f;  // of what is scattered
+  constexpr float small = 0.25f;  // of the diffuse reflection
   constexpr auto points = static_cast<float>(diagonal_points.size());
-  std::array<Color, lanes> scattered, shining;
-  scattered.fill(Color::Zero());
-  shining.fill(Color::Zero());
+  std::array<Color, lanes> diffuse_sum, specular_sum;
+  diffuse_sum.fill(Color::Zero());
+  specular_sum.fill(Color::Zero());
   for (const float u : diagonal_points) {
     for_lit(light, batch, origins, point_in_all_lanes(u, u),
             [&](std::size_t i, const LightRay& lit) {
               const Surface& surface = batch[i].surface;
               const Color diffuse = surface.albedo / pi;
-              scattered[i] += lit.irradiance * diffuse / points;
-              shining[i] += lit.irradiance * (reflectance(surface, lit.towards) - diffuse) / points;
+              diffuse_sum[i] += lit.irradiance * diffuse / points;
+              specular_sum[i] +=
+                  lit.irradiance * (reflectance(surface, lit.towards) - diffuse) / points;
             });
   }
-  std::uint32_t asked = 0;
+  std::uint32_t needing_rays = 0;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const bool needs_rays = shining[i].sum() > little * scattered[i].sum();
-    if (needs_rays) asked |= 1u << i;
-    add_to_group(i, batch[i].sample, needs_rays ? scattered[i] : Color(scattered[i] + shining[i]));
+    const bool needs_rays = specular_sum[i].sum() > small * diffuse_sum[i].sum();
+    if (needs_rays) needing_rays |= 1u << i;
+    add_to_group(i, batch[i].sample,
+                 needs_rays ? diffuse_sum[i] : Color(diffuse_sum[i] + specular_sum[i]));
   }
-  return asked;
+  return needing_rays;
 }
 
 // The unoccluded sky's light is known in closed form; what is occluded is shared, or rays subtract

@@ -57,7 +57,6 @@ class TileRenderer {
   void add_figure(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void finish_pending();
   bool joins_pending(const Sample& sample, const FirstHit& hit) const;
-  bool are_of_one_surface(const FirstHit& one, const FirstHit& other) const;
   void add_background(const Sample& sample, const RayPacket& rays, int ray, const FirstHit& hit);
   void add_floor(const Sample& sample, const Vec3& point);
   void add_own_background(std::span<const Sample> samples, const RayPacket& rays);
@@ -261,36 +260,7 @@ bool TileRenderer::joins_pending(const Sample& sample, const FirstHit& hit) cons
   const bool moves = prepared_.is_per_sample() || prepared_.closing_solids != nullptr;
   return together > 1 && !moves && first.count > 0 && first.pixel == sample.pixel &&
          first.index / together == sample.index / together && first.present == sample.present &&
-         are_of_one_surface(pending_.hit, hit);
-}
-
-// Of hits in one pixel: whether they are of one triangle, of one round cone that hardly bends
-// within a pixel, or of triangles of one mesh at about the same distance and with about the same
-// normal.
-bool TileRenderer::are_of_one_surface(const FirstHit& one, const FirstHit& other) const {
-  constexpr float pixels_of_radius = 3.0f, pixels_of_distance = 2.0f, cosine = 0.95f;
-  const float pixel = prepared_.camera.step_right.norm() *
-                      (prepared_.camera.parallel ? 1.0f : one.distance);  // width, metres
-  const Shapes& shapes = prepared_.figure.shapes();
-  const int cones = static_cast<int>(shapes.cones.size());
-  if (one.shape < cones || other.shape < cones) {
-    if (one.shape != other.shape) return false;
-    const PreparedCone& cone = shapes.cones[static_cast<std::size_t>(one.shape)];
-    return std::min(cone.radius_a, cone.radius_b) > pixels_of_radius * pixel;
-  }
-  if (one.shape == other.shape) return true;
-  const auto source = [&](const FirstHit& hit) {
-    return shapes.sources[static_cast<std::size_t>(hit.shape - cones)];
-  };
-  if (source(one).mesh != source(other).mesh ||
-      std::abs(one.distance - other.distance) >= pixels_of_distance * pixel)
-    return false;
-  const Mesh& mesh = prepared_.solids.meshes[static_cast<std::size_t>(source(one).mesh)];
-  const auto normal = [&](const FirstHit& hit) -> const Vec3& {
-    const auto& corners = mesh.triangles[static_cast<std::size_t>(source(hit).triangle)];
-    return mesh.normals[static_cast<std::size_t>(corners[0])];
-  };
-  return normal(one).dot(normal(other)) > cosine;
+         are_of_one_surface(prepared_, pending_.hit, hit);
 }
 
 void TileRenderer::add_background(const Sample& sample, const RayPacket& rays, int ray,

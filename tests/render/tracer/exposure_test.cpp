@@ -252,7 +252,8 @@ TEST(Exposing, RefusesSharingThatHasNoBounds) {
   const Scene scene = shining_ball(0.6f);
   for (const Quality& quality :
        {Quality{.figure_sharing_pixels = -1}, Quality{.floor_sharing_pixels = 65},
-        Quality{.figure_samples_per_ray = 0}, Quality{.floor_samples_per_ray = 0}})
+        Quality{.figure_samples_per_ray = 0}, Quality{.samples_shaded_together = 0},
+        Quality{.samples_shaded_together = 5}, Quality{.floor_samples_per_ray = 0}})
     EXPECT_THROW(Tracer().trace(scene, straight_on(), quality), std::invalid_argument);
 }
 

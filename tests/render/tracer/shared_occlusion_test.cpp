@@ -215,7 +215,7 @@ View legs() {
   return {scene, camera, draft_quality(), {}, {}};
 }
 
-/// The same legs, shining, under a small light beside them: one leg shadows the other, and near the
+/// The same legs, glossy, under a small light beside them: one leg shadows the other, and near the
 /// silhouettes, where the light grazes them, normals, irradiance and shadow change within few
 /// pixels. Of 72 such lights all around, this is the one with the largest bias.
 View lit_legs() {
@@ -306,7 +306,7 @@ TEST(SharedOcclusion, KeepsTheMeansOfBlocks) {
   }
 }
 
-/// The legs, dark and shining, of which one shadows the other from one of two lights, under a sky.
+/// The legs, dark and glossy, of which one shadows the other from one of two lights, under a sky.
 View dark_legs(float brightness) {
   View view = lit_legs();
   view.scene.materials[0].albedo = brightness * Color(0.06f, 0.05f, 0.04f);

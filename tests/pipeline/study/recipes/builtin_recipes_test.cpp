@@ -37,7 +37,7 @@ bool is_gesture(const RecipeResult& result) {
 }
 
 /// A neutral walk, "neutral", with each of the built-in emotions applied to it.
-Manifest walk_in_moods(const std::string& examples, const std::string& walk) {
+Manifest walk_with_emotions(const std::string& examples, const std::string& walk) {
   std::string text = "mien: 1\nstudy: s\nexamples: {set: " + examples +
                      "}\nstimuli:\n- {id: neutral, weights: {" + walk + ": 1}}\n";
   for (const char* emotion : {"afraid", "nervous", "strong", "tired", "weak"})
@@ -49,14 +49,15 @@ Manifest walk_in_moods(const std::string& examples, const std::string& walk) {
 }
 
 /// Of the built-in actors and, where there is motion capture, of three captured ones.
-std::vector<Manifest> walks_in_moods() {
-  std::vector<Manifest> manifests = {walk_in_moods("builtin:actors", "woman-walk-neutral"),
-                                     walk_in_moods("builtin:actors", "man-walk-neutral")};
+std::vector<Manifest> walks_with_emotions() {
+  std::vector<Manifest> manifests = {walk_with_emotions("builtin:actors", "woman-walk-neutral"),
+                                     walk_with_emotions("builtin:actors", "man-walk-neutral")};
   if (const auto data = test::real_data()) {
     const auto of = [&](const char* folder, const std::string& file) {
-      return walk_in_moods(fmt::format("{{folder: {}, include: {}.bvh, cycle: auto, blend: false}}",
-                                       (*data / "mocap" / folder).string(), file),
-                           file);
+      return walk_with_emotions(
+          fmt::format("{{folder: {}, include: {}.bvh, cycle: auto, blend: false}}",
+                      (*data / "mocap" / folder).string(), file),
+          file);
     };
     for (const char* actor : {"k", "t"}) {
       manifests.push_back(
@@ -144,7 +145,7 @@ TEST(BuiltinRecipes, ComeNearCapturedActors) {
 }
 
 TEST(BuiltinRecipes, TellFearTirednessAndWeaknessApart) {
-  for (const Manifest& manifest : walks_in_moods()) {
+  for (const Manifest& manifest : walks_with_emotions()) {
     Motions motions(manifest);
     const motion::FeatureValues neutral = features_of(motions, "neutral");
     for (const auto& [one, other] :
@@ -158,7 +159,7 @@ TEST(BuiltinRecipes, TellFearTirednessAndWeaknessApart) {
 }
 
 TEST(BuiltinRecipes, MakeNervousWalksQuickShortAndDrawnIn) {
-  for (const Manifest& manifest : walks_in_moods()) {
+  for (const Manifest& manifest : walks_with_emotions()) {
     Motions motions(manifest);
     EXPECT_GE(motions.distance("nervous", "neutral").mean, 0.02);
     const motion::FeatureValues before = features_of(motions, "neutral");
@@ -176,7 +177,7 @@ TEST(BuiltinRecipes, MakeNervousWalksQuickShortAndDrawnIn) {
 
 /// In a run heels rise behind the body; strong walks are slow and wide, with feet near the floor.
 TEST(BuiltinRecipes, DoNotMakeStrongWalksLookLikeRuns) {
-  for (const Manifest& manifest : walks_in_moods()) {
+  for (const Manifest& manifest : walks_with_emotions()) {
     Motions motions(manifest);
     EXPECT_LT(highest_ankle(motions.clip("strong")), 1.4 * highest_ankle(motions.clip("neutral")))
         << motions.of("neutral").motion.name;
