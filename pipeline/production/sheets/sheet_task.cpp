@@ -47,7 +47,10 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
   for (const std::string& name : motions_on(sheet)) {
     task.determinants.add("motion", name);
     const Stimulus* stimulus = motions.stimulus(name);
-    if (stimulus != nullptr) task.inputs.push_back("motion:" + name);
+    if (stimulus != nullptr) {
+      task.determinants.add("role", name_of(stimulus->role));  // its colour
+      task.inputs.push_back("motion:" + name);
+    }
     uses_examples = uses_examples || stimulus == nullptr || is_blend(*stimulus);
   }
   if (uses_examples) {

@@ -7,7 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/manifest/checks/manifest_reader.h"
+#include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/file_keys.h"
 #include "pipeline/production/sheets/sheet_parts.h"
+#include "pipeline/production/sheets/sheet_task.h"
+#include "pipeline/production/synthesis/motions.h"
 
 namespace mien::pipeline {
 namespace {
@@ -38,6 +42,29 @@ std::vector<DrawnText> column_heads(const std::vector<DrawnText>& texts) {
   });
   std::ranges::sort(heads, {}, [](const DrawnText& one) { return one.box.x; });
   return heads;
+}
+
+/// Key of the sheet that shows a motion of this role.
+Hash key_of_gallery(const std::string& role) {
+  const ManifestReading reading = parse_manifest(
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n"
+      "  - {id: a, role: " +
+          role +
+          ", weights: {normal: 1}}\n  - {id: b, weights: {sad: 1}}\n"
+          "sheets: [{id: all, gallery: [a, b]}]\n",
+      "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
+  EXPECT_TRUE(reading.faults.empty()) << to_string(reading.faults.at(0));
+  FileKeys files;
+  Motions motions(reading.manifest);
+  return sheet_task(reading.manifest.sheets.front(), reading.manifest,
+                    shared_determinants(reading.manifest, files), motions)
+      .determinants.key();
+}
+
+// Colours show it.
+TEST(Galleries, AreDrawnAgainWhenARoleChanges) {
+  EXPECT_NE(key_of_gallery("target"), key_of_gallery("reference"));
+  EXPECT_EQ(key_of_gallery("target"), key_of_gallery("target"));
 }
 
 TEST(ComparisonSheets, KeepTheHeadsOfColumnsApart) {
