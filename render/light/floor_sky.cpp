@@ -29,7 +29,6 @@ int floored_multiple(float x, int side) {
 FloorSky::FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Quality& quality,
                    const std::array<HalfSpace, 4>& view)
     : bounds_(bounds), quality_(quality), view_(view) {
-  branches_.push_back({});
   cells_.push_back({});
   if (shapes.empty()) return;
   if (!(bounds.centre.cwiseAbs().maxCoeff() + bounds.radius < furthest)) {
@@ -41,6 +40,7 @@ FloorSky::FloorSky(const Shapes& shapes, const BoundingSphere& bounds, const Qua
   // The figure is near the middle: at least a quarter of the root from its rim, wherever it is.
   origin_x_ = floored_multiple(bounds.centre.x() - metres(root_side / 4), root_side / 2);
   origin_z_ = floored_multiple(bounds.centre.z() - metres(root_side / 4), root_side / 2);
+  branches_.resize(1);
   divide(0, {origin_x_, origin_z_, root_side});
 }
 
@@ -89,34 +89,31 @@ bool FloorSky::is_in_view(const Square& square) const {
 
 void FloorSky::divide(std::size_t branch, const Square& square) {
   const float tolerance = quality_.floor_sky_tolerance;
-  if (!is_in_view(square)) {
-    branches_[branch].cell = static_cast<int>(cells_.size());
-    cells_.push_back({metres(square.x), metres(square.z), 1.0f / metres(square.side), false});
-    return;
-  }
+  Cell cell{metres(square.x), metres(square.z), 1.0f / metres(square.side), false};
+  if (!is_in_view(square)) return end_with(branch, cell);
   if (interpolation_error(square) > tolerance) {
     const int half = square.side / 2;
     const bool divides = half >= 1 && metres(half) >= quality_.floor_sky_cell && tolerance > 0.0f;
     if (divides && !is_within_sphere(square)) {
       const std::size_t first = branches_.size();
-      branches_[branch].children = static_cast<int>(first);
+      branches_[branch] = static_cast<int>(first);
       branches_.resize(first + 4);
       for (int k = 0; k < 4; ++k)
         divide(first + static_cast<std::size_t>(k),
                {square.x + (k & 1) * half, square.z + (k >> 1) * half, half});
       return;
     }
-    if (divides || !quality_.floor_sky_smooth || tolerance == 0.0f) {
-      branches_[branch].cell = static_cast<int>(cells_.size());
-      cells_.push_back({metres(square.x), metres(square.z), 1.0f / metres(square.side), false});
-      return;
-    }
+    if (divides || !quality_.floor_sky_smooth || tolerance == 0.0f) return end_with(branch, cell);
   }
-  Cell cell{metres(square.x), metres(square.z), 1.0f / metres(square.side), true};
+  cell.known = true;
   for (int k = 0; k < 4; ++k)
     cell.corners[k] =
         corner_of(square.x + (k & 1) * square.side, square.z + (k >> 1) * square.side);
-  branches_[branch].cell = static_cast<int>(cells_.size());
+  end_with(branch, cell);
+}
+
+void FloorSky::end_with(std::size_t branch, const Cell& cell) {
+  branches_[branch] = ~static_cast<int>(cells_.size());
   cells_.push_back(cell);
 }
 
@@ -185,17 +182,16 @@ const FloorSky::Cell& FloorSky::cell_at(float x, float z) const {
   const float v = (z - metres(origin_z_)) / metres(root_side);
   if (pieces_.empty() || !(u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f)) return cells_[0];
   Square square{origin_x_, origin_z_, root_side};
-  const Branch* branch = &branches_[0];
-  while (branch->children >= 0) {
+  int branch = branches_[0];
+  while (branch >= 0) {
     square.side /= 2;
     const bool right = x >= metres(square.x + square.side);
     const bool far = z >= metres(square.z + square.side);
     if (right) square.x += square.side;
     if (far) square.z += square.side;
-    branch =
-        &branches_[static_cast<std::size_t>(branch->children + (right ? 1 : 0) + (far ? 2 : 0))];
+    branch = branches_[static_cast<std::size_t>(branch + (right ? 1 : 0) + (far ? 2 : 0))];
   }
-  return cells_[static_cast<std::size_t>(branch->cell)];
+  return cells_[static_cast<std::size_t>(~branch)];
 }
 
 void FloorSky::finish(const Sky& sky) {

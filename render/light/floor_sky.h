@@ -69,10 +69,6 @@ class FloorSky {
   const Cell& cell_at(float x, float z) const;
 
  private:
-  struct Branch {
-    int children = -1;  // the first of four; −1: a leaf
-    int cell = -1;
-  };
   struct Corner {
     float x;
     float z;
@@ -86,6 +82,7 @@ class FloorSky {
   };
 
   void divide(std::size_t branch, const Square& square);
+  void end_with(std::size_t branch, const Cell& cell);
   float interpolation_error(const Square& square) const;
   bool is_within_sphere(const Square& square) const;
   bool is_in_view(const Square& square) const;
@@ -98,7 +95,9 @@ class FloorSky {
   std::array<HalfSpace, 4> view_;
   int origin_x_ = 0;  // of the root, in units of 1/64 m
   int origin_z_ = 0;
-  std::vector<Branch> branches_;
+  // Of squares, the root first: the number of the first of its four quarters; of those that are not
+  // divided, the complement of their cell's number, which is negative.
+  std::vector<int> branches_;
   std::vector<Cell> cells_;
   std::vector<Corner> corners_;
   std::unordered_map<std::uint64_t, int> corner_numbers_;

@@ -37,15 +37,16 @@ Surface cone_surface(const PreparedCone& cone, const Vec3& point) {
 }
 
 /// What belongs to the corners of a triangle.
+template <class Value>
 struct Corners {
-  Vec3 a;
-  Vec3 b;
-  Vec3 c;
+  Value a;
+  Value b;
+  Value c;
 
-  Vec3 at(float wa, const Barycentric& w) const { return wa * a + w.b * b + w.c * c; }
+  Value at(float wa, const Barycentric& w) const { return wa * a + w.b * b + w.c * c; }
 };
 
-Corners normals_of(const Mesh& mesh, const std::array<int, 3>& corners, float side) {
+Corners<Vec3> normals_of(const Mesh& mesh, const std::array<int, 3>& corners, float side) {
   const auto normal = [&](int k) -> Vec3 {
     return side * mesh.normals[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
   };
@@ -65,23 +66,19 @@ Vec3 lifted(const Vec3& point, const Vec3& corner, const Vec3& normal) {
   return point - std::min(0.0f, (point - corner).dot(normal)) * normal;
 }
 
-/// How textures lie on a triangle: (u, v) at its corners.
-struct TextureCorners {
-  std::array<float, 2> a;
-  std::array<float, 2> b;
-  std::array<float, 2> c;
-};
+using TextureCorners = Corners<Eigen::Vector2f>;
 
 TextureCorners texture_corners(const Mesh& mesh, const std::array<int, 3>& corners) {
   const auto uv = [&](int k) {
-    return mesh.uv[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+    const auto& [u, v] = mesh.uv[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])];
+    return Eigen::Vector2f(u, v);
   };
   return {uv(0), uv(1), uv(2)};
 }
 
 Color texture_at(const Texture& texture, const TextureCorners& uv, float wa, const Barycentric& w) {
-  return texel_at(texture, wa * uv.a[0] + w.b * uv.b[0] + w.c * uv.c[0],
-                  wa * uv.a[1] + w.b * uv.b[1] + w.c * uv.c[1]);
+  const Eigen::Vector2f place = uv.at(wa, w);
+  return texel_at(texture, place.x(), place.y());
 }
 
 /// A smooth normal, on the front, bent by what a normal map says.
@@ -153,9 +150,9 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
   // The side that is seen.
   const float side = flat.dot(direction) > 0.0f ? -1.0f : 1.0f;
   flat *= side;
-  Corners normals = normals_of(mesh, corners, side);
+  Corners<Vec3> normals = normals_of(mesh, corners, side);
   if (closing != nullptr && time > 0.0f) {
-    const Corners later =
+    const Corners<Vec3> later =
         normals_of(closing->meshes[static_cast<std::size_t>(source.mesh)], corners, side);
     normals = {(1.0f - time) * normals.a + time * later.a,
                (1.0f - time) * normals.b + time * later.b,
@@ -166,8 +163,9 @@ Surface surface_at(const Scene& scene, const Solids& solids, const Solids* closi
   surface.normal = normals.at(wa, w);
   const float length = surface.normal.norm();
   surface.normal = length > 1e-6f ? Vec3(surface.normal / length) : flat;
-  const Corners curved{lifted(point, triangle.a, normals.a), lifted(point, triangle.b, normals.b),
-                       lifted(point, triangle.c, normals.c)};
+  const Corners<Vec3> curved{lifted(point, triangle.a, normals.a),
+                             lifted(point, triangle.b, normals.b),
+                             lifted(point, triangle.c, normals.c)};
   surface.origin = curved.at(wa, w) + off_surface(point) * flat;
   surface.towards_eye = -direction;
   surface.material = &scene.materials[static_cast<std::size_t>(mesh.material)];

@@ -49,32 +49,24 @@ void add_set(Key& key, const Scene& scene) {
   if (ground.line_spacing > 0.0f) key.add(ground.offset_x, ground.offset_z);
 }
 
-/// The materials of standing solids in the order in which they are first met: what figures are made
-/// of is no matter, and neither is how many figures there are.
-class UsedMaterials {
- public:
-  int number(int material) {
-    const auto place = std::find(used_.begin(), used_.end(), material);
-    if (place == used_.end()) used_.push_back(material);
-    return static_cast<int>(
-        std::distance(used_.begin(), std::find(used_.begin(), used_.end(), material)));
-  }
-  const std::vector<int>& all() const { return used_; }
-
- private:
-  std::vector<int> used_;
-};
-
-void add_solids(Key& key, const Solids& solids, UsedMaterials& used) {
+/// Adds static solids, and lists their materials in the order in which they are first met: what
+/// figures are made of is no matter, and neither is how many figures there are.
+void add_solids(Key& key, const Solids& solids, std::vector<int>& used) {
+  const auto number_of = [&](int material) {
+    const auto place = std::find(used.begin(), used.end(), material);
+    const auto number = static_cast<int>(place - used.begin());
+    if (place == used.end()) used.push_back(material);
+    return number;
+  };
   key.add(static_cast<int>(solids.spheres.size()), static_cast<int>(solids.round_cones.size()),
           static_cast<int>(solids.meshes.size()));
   for (const Sphere& sphere : solids.spheres)
-    key.add(sphere.centre, sphere.radius, used.number(sphere.material));
+    key.add(sphere.centre, sphere.radius, number_of(sphere.material));
   for (const RoundCone& round_cone : solids.round_cones)
     key.add(round_cone.start, round_cone.end, round_cone.start_radius, round_cone.end_radius,
-            used.number(round_cone.material));
+            number_of(round_cone.material));
   for (const Mesh& mesh : solids.meshes) {
-    key.add(used.number(mesh.material), static_cast<int>(mesh.positions.size()),
+    key.add(number_of(mesh.material), static_cast<int>(mesh.positions.size()),
             static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.uv.size()));
     for (const Vec3& position : mesh.positions) key.add(position);
     for (const Vec3& normal : mesh.normals) key.add(normal);
@@ -99,9 +91,9 @@ std::vector<float> static_background_key(const Scene& scene, const Camera& camer
   add_camera(key, camera);
   add_set(key, scene);
   if (scene.static_solids.empty()) return key.take();
-  UsedMaterials used;
+  std::vector<int> used;
   add_solids(key, scene.static_solids, used);
-  for (const int number : used.all()) {
+  for (const int number : used) {
     const Material& material = scene.materials[static_cast<std::size_t>(number)];
     key.add(material.albedo, material.specular_f0, material.roughness, material.emission,
             material.normal_scale);

@@ -1,6 +1,7 @@
 #include "render/light/unshadowed_background.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,12 +12,6 @@ namespace mien::render {
 namespace {
 
 constexpr float over_pi = std::numbers::inv_pi_v<float>;
-
-/// Proportions of the pixels that lines of the floor cover.
-struct LaneCovers {
-  LaneFloats fine;
-  LaneFloats major;
-};
 
 /// Finds the points of the floor that rays meet, and how much of it has not faded.
 MIEN_FOR_AVX2_TOO void find_floor(const Ground& ground, bool has_ground, const CameraFrame& camera,
@@ -98,25 +93,23 @@ MIEN_FOR_AVX2_TOO LaneFloats cover_of_lines(const Ground& ground, const LaneVect
   return cover;
 }
 
-LaneCovers covers_of(const Ground& ground, const CameraFrame& camera, const LaneRays& rays,
-                     const LaneVectors& point) {
+/// Finds the proportions of the pixels that lines of the floor cover.
+void find_lines(const Ground& ground, const CameraFrame& camera, const LaneRays& rays,
+                const LaneVectors& point, LaneFloats& lines, LaneFloats& major_lines) {
   LaneFloats width_x, width_z;
   find_footprints(camera, rays, width_x, width_z);
-  LaneCovers covers;
-  covers.fine =
-      cover_of_lines(ground, point, width_x, width_z, ground.line_spacing, ground.line_width);
-  if (ground.major_every != 0)
-    covers.major = cover_of_lines(ground, point, width_x, width_z,
-                                  static_cast<float>(ground.major_every) * ground.line_spacing,
-                                  2.0f * ground.line_width);
-  return covers;
+  lines = cover_of_lines(ground, point, width_x, width_z, ground.line_spacing, ground.line_width);
+  if (ground.major_every == 0) return;
+  major_lines = cover_of_lines(ground, point, width_x, width_z,
+                               static_cast<float>(ground.major_every) * ground.line_spacing,
+                               2.0f * ground.line_width);
 }
 
 /// One channel of what the set shows; `light` is the irradiance of the lights alone.
 MIEN_FOR_AVX2_TOO void show_channel(const Scene& scene, int channel, const LaneFloats& elevation,
-                                    const LaneCovers& covers, const LaneFloats& light,
-                                    const LaneFloats& share, LaneFloats& radiance,
-                                    LaneFloats& visible_albedo) {
+                                    const LaneFloats& lines, const LaneFloats& major_lines,
+                                    const LaneFloats& light, const LaneFloats& share,
+                                    LaneFloats& radiance, LaneFloats& visible_albedo) {
   const Sky& sky = scene.sky;
   const Ground& ground = scene.ground;
   const float horizon = sky.backdrop_horizon[channel];
@@ -129,8 +122,8 @@ MIEN_FOR_AVX2_TOO void show_channel(const Scene& scene, int channel, const LaneF
     const float up = elevation.lane[i];
     const float sine = up < 0.0f ? 0.0f : up > 1.0f ? 1.0f : up;
     const float backdrop = horizon + sine * rise;
-    const float fine = plain + covers.fine.lane[i] * (line - plain);
-    const float albedo = share.lane[i] * (fine + covers.major.lane[i] * (major - fine));
+    const float fine = plain + lines.lane[i] * (line - plain);
+    const float albedo = share.lane[i] * (fine + major_lines.lane[i] * (major - fine));
     visible_albedo.lane[i] = albedo;
     radiance.lane[i] =
         (1.0f - share.lane[i]) * backdrop + albedo * over_pi * (from_sky + light.lane[i]);
@@ -153,28 +146,26 @@ constexpr float smooth_share = 0.05f;  // of a light's height, between nodes
 
 /// Lagrange's polynomials of third degree at 0, ⅛ … ⅞ of the way from the second of four nodes to
 /// the third.
-struct Cubic {
-  LaneFloats weight[4];
-
-  constexpr Cubic() {
-    for (unsigned i = 0; i < lanes; ++i) {
-      const float t = static_cast<float>(i) / static_cast<float>(lanes);
-      weight[0].lane[i] = -t * (t - 1.0f) * (t - 2.0f) / 6.0f;
-      weight[1].lane[i] = (t + 1.0f) * (t - 1.0f) * (t - 2.0f) / 2.0f;
-      weight[2].lane[i] = -(t + 1.0f) * t * (t - 2.0f) / 2.0f;
-      weight[3].lane[i] = (t + 1.0f) * t * (t - 1.0f) / 6.0f;
-    }
+constexpr std::array<LaneFloats, 4> cubic_weights() {
+  std::array<LaneFloats, 4> weight{};
+  for (unsigned i = 0; i < lanes; ++i) {
+    const float t = static_cast<float>(i) / static_cast<float>(lanes);
+    weight[0].lane[i] = -t * (t - 1.0f) * (t - 2.0f) / 6.0f;
+    weight[1].lane[i] = (t + 1.0f) * (t - 1.0f) * (t - 2.0f) / 2.0f;
+    weight[2].lane[i] = -(t + 1.0f) * t * (t - 2.0f) / 2.0f;
+    weight[3].lane[i] = (t + 1.0f) * t * (t - 1.0f) / 6.0f;
   }
-};
-constexpr Cubic cubic;
+  return weight;
+}
+constexpr std::array<LaneFloats, 4> cubic = cubic_weights();
 
 MIEN_FOR_AVX2_TOO LaneFloats interpolated(const float* nodes) {
   LaneFloats light;
   const float a = nodes[0], b = nodes[1], c = nodes[2], d = nodes[3];
 #pragma omp simd
   for (unsigned i = 0; i < lanes; ++i)
-    light.lane[i] = a * cubic.weight[0].lane[i] + b * cubic.weight[1].lane[i] +
-                    c * cubic.weight[2].lane[i] + d * cubic.weight[3].lane[i];
+    light.lane[i] =
+        a * cubic[0].lane[i] + b * cubic[1].lane[i] + c * cubic[2].lane[i] + d * cubic[3].lane[i];
   return light;
 }
 
@@ -221,14 +212,19 @@ LaneBackground UnshadowedBackground::shown(const LaneRays& rays, const LightAt& 
                                [](float share) { return share > 0.0f; });
   for (std::size_t k = 0; any && k < lights_.size(); ++k)
     add_light(light_at(k, pixels.point), scene_.lights[k].radiance, light);
-  LaneCovers covers;
+  LaneFloats lines, major;
   if (scene_.ground.line_spacing > 0.0f)
-    covers = covers_of(scene_.ground, camera_, rays, pixels.point);
+    find_lines(scene_.ground, camera_, rays, pixels.point, lines, major);
   const LaneFloats& elevation = rays.direction.y;
   LaneColors &shown = pixels.radiance, &albedo = pixels.visible_albedo;
-  show_channel(scene_, 0, elevation, covers, light.red, pixels.share, shown.red, albedo.red);
-  show_channel(scene_, 1, elevation, covers, light.green, pixels.share, shown.green, albedo.green);
-  show_channel(scene_, 2, elevation, covers, light.blue, pixels.share, shown.blue, albedo.blue);
+  const auto show = [&](int channel, const LaneFloats& from_lights, LaneFloats& radiance,
+                        LaneFloats& visible) {
+    show_channel(scene_, channel, elevation, lines, major, from_lights, pixels.share, radiance,
+                 visible);
+  };
+  show(0, light.red, shown.red, albedo.red);
+  show(1, light.green, shown.green, albedo.green);
+  show(2, light.blue, shown.blue, albedo.blue);
   return pixels;
 }
 

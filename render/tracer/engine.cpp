@@ -63,20 +63,19 @@ void Engine::find_shared_occlusion(PreparedScene& prepared, const Camera& camera
   if (reach == 0 || quality.reference || prepared.bounds.radius < 0.0f) return;
   // Also beside the window, so that its pixels are those of the whole picture.
   const Window window = window_of(camera);
-  const auto begin = [&](int first) { return std::max(first - reach, 0) / tile_size * tile_size; };
-  const auto end = [&](int last, int size) {
-    return std::min((last + reach + tile_size - 1) / tile_size * tile_size, size);
-  };
-  const Tile all{begin(window.x), end(window.x + window.width, camera.width), begin(window.y),
-                 end(window.y + window.height, camera.height)};
+  const auto tile_at = [](int first) { return std::max(first, 0) / tile_size * tile_size; };
+  const int x = tile_at(window.x - reach);
+  const int first = tile_at(window.y - reach) / tile_size;
+  const int last = std::min(window.y_end() + reach, camera.height) - 1;
+  const int width = std::min(window.x_end() + reach, camera.width) - x;
+  const Window picture{0, 0, camera.width, camera.height};
   SharedOcclusion shared(camera.height, quality.figure_sharing_pixels,
                          quality.floor_sharing_pixels);
   run_alone([&] {
-    tbb::parallel_for(0, (all.y_end - all.y_begin + tile_size - 1) / tile_size, [&](int band) {
+    tbb::parallel_for(first, last / tile_size + 1, [&](int band) {
       if (stop_.stop_requested()) return;
-      const int y = all.y_begin + band * tile_size;
-      find_occlusion_in(prepared, {all.x_begin, all.x_end, y, std::min(y + tile_size, all.y_end)},
-                        shared);
+      const Window tiles{x, band * tile_size, width, tile_size};
+      find_occlusion_in(prepared, intersection(picture, tiles), shared);
     });
   });
   if (stop_.stop_requested()) throw Stopped{};
@@ -87,11 +86,10 @@ SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
                                        const Quality& quality) {
   if (quality.reference) return bare_background(scene);
   std::vector<float> wanted = static_background_key(scene, camera, quality);
-  if (wanted == cached_[0].key) return cached_[0].background;
+  if (wanted == cached_[0].key) return cached_[0];
   std::swap(cached_[0], cached_[1]);
-  auto& [key, background] = cached_[0];
-  if (wanted == key) return background;
-  key.clear();
+  SceneBackground& background = cached_[0];
+  if (wanted == background.key) return background;
   background = {};
   const std::string name = static_background_name(wanted);
   const auto make = [&] { return make_background(scene, camera, quality, name, pool_.acquire()); };
@@ -99,13 +97,13 @@ SceneBackground Engine::background_for(const Scene& scene, const Camera& camera,
       backgrounds_ != nullptr ? backgrounds_->get_or_make(name, make) : pool_.wrap(make());
   if (!scene.static_solids.empty())
     background.solids = std::make_shared<const EmbreeScene>(device_, static_shapes(scene));
-  key = std::move(wanted);
+  background.key = std::move(wanted);
   return background;
 }
 
 // The pictures of this quality need the static solids alone.
 SceneBackground Engine::bare_background(const Scene& scene) {
-  SceneBackground background{std::make_shared<const StaticBackground>(), nullptr};
+  SceneBackground background{{}, std::make_shared<const StaticBackground>(), nullptr};
   if (!scene.static_solids.empty())
     background.solids = std::make_shared<const EmbreeScene>(device_, static_shapes(scene));
   return background;
@@ -170,7 +168,7 @@ Framebuffer Engine::render_static_solids(const Scene& scene, const Camera& camer
   sample_floor_sky(prepared);
   run_alone([&] {
     loop_over_parts(camera.width, camera.height, {0, 0, camera.width, camera.height},
-                    [&](const Tile& part) { draw(prepared, part, {target}); });
+                    [&](const Window& part) { draw(prepared, part, {target}); });
   });
   if (stop_.stop_requested()) throw Stopped{};
   return std::move(target.color);

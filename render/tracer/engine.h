@@ -24,6 +24,7 @@ namespace mien::render {
 
 /// The background of a scene: its rendered image, and its static solids for shadow rays and depth.
 struct SceneBackground {
+  std::vector<float> key;  ///< static_background_key; empty in reference quality
   StaticBackgroundCache::Handle image;
   std::shared_ptr<const EmbreeScene> solids;  ///< the static solids; null if there are none
 };
@@ -82,11 +83,6 @@ class Engine {
   tbb::task_arena& arena() { return arena_; }
 
  private:
-  struct CachedBackground {
-    std::vector<float> key;
-    SceneBackground background;
-  };
-
   /// A background whose image is empty: only the scene's static solids.
   SceneBackground bare_background(const Scene& scene);
 
@@ -105,16 +101,16 @@ class Engine {
 
   template <class Work>
   void loop_over_parts(int width, int height, const Window& window, const Work& work) {
-    const auto last = [](int first, int pixels) {
-      return (first + pixels + tile_size - 1) / tile_size;
-    };
-    const tbb::blocked_range2d<int> all(window.y / tile_size, last(window.y, window.height), 1,
-                                        window.x / tile_size, last(window.x, window.width), 8);
+    const auto tiles = [](int pixels) { return (pixels + tile_size - 1) / tile_size; };
+    const tbb::blocked_range2d<int> all(window.y / tile_size, tiles(window.y_end()), 1,
+                                        window.x / tile_size, tiles(window.x_end()), 8);
     tbb::parallel_for(all, [&](const tbb::blocked_range2d<int>& part) {
       if (stop_.stop_requested()) return;
       const auto &columns = part.cols(), &rows = part.rows();
-      work(Tile{columns.begin() * tile_size, std::min(columns.end() * tile_size, width),
-                rows.begin() * tile_size, std::min(rows.end() * tile_size, height)});
+      const Window area{columns.begin() * tile_size, rows.begin() * tile_size,
+                        static_cast<int>(columns.size()) * tile_size,
+                        static_cast<int>(rows.size()) * tile_size};
+      work(intersection(area, {0, 0, width, height}));
     });
   }
 
@@ -126,9 +122,9 @@ class Engine {
   std::stop_token stop_;
   StaticBackgroundCache* backgrounds_;
   LightCache light_cache_;
-  BackgroundPool pool_;  // for backgrounds that are not shared with other tracers
-  std::array<CachedBackground, 2> cached_;  // for a pair of cameras; last used first
-  std::map<float, Filter> filters_;         // by width
+  BackgroundPool pool_;                    // for backgrounds that are not shared with other tracers
+  std::array<SceneBackground, 2> cached_;  // for a pair of cameras; last used first
+  std::map<float, Filter> filters_;        // by width
 };
 
 }  // namespace mien::render

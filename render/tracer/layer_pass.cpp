@@ -26,9 +26,11 @@ struct Seen {
 
 class LayerPainter {
  public:
-  LayerPainter(const PreparedScene& prepared, const NextScene* next, Layers& layers)
+  LayerPainter(const PreparedScene& prepared, const Scene* next, const Camera* next_camera,
+               Layers& layers)
       : prepared_(prepared),
         next_(next),
+        next_camera_(next_camera),
         layers_(layers),
         unshadowed_(prepared.scene, prepared.camera) {}
 
@@ -45,7 +47,8 @@ class LayerPainter {
   std::optional<Vec3> next_place(const Seen& seen) const;
 
   const PreparedScene& prepared_;
-  const NextScene* next_;
+  const Scene* next_;
+  const Camera* next_camera_;
   Layers& layers_;
   const UnshadowedBackground unshadowed_;
 };
@@ -137,9 +140,9 @@ Vec3 carried(const PreparedCone& from, const PreparedCone& to, const Vec3& point
 
 std::optional<Vec3> LayerPainter::next_place(const Seen& seen) const {
   if (!seen.something) return std::nullopt;
-  if (next_->scene == nullptr) return seen.position;
+  if (next_ == nullptr) return seen.position;
   if (seen.ground) {
-    const Ground &from = prepared_.scene.ground, &to = next_->scene->ground;
+    const Ground &from = prepared_.scene.ground, &to = next_->ground;
     return seen.position + Vec3(to.offset_x - from.offset_x, 0.0f, to.offset_z - from.offset_z);
   }
   if (seen.shape < 0) return seen.position;
@@ -162,11 +165,11 @@ void LayerPainter::take_centre(int x, int y) {
   layers_.depth[place(x, y)] =
       seen.something ? (seen.position - prepared_.camera.position).dot(prepared_.camera.forward)
                      : infinity;
-  if (next_ == nullptr) return;
+  if (next_camera_ == nullptr) return;
   const std::optional<Vec3> later = next_place(seen);
   // The backdrop is so far off that only turns of the camera move it.
-  const Vec3 there = later ? *later : next_->camera.position + 1e4f * ray.direction;
-  if (const auto image_point = project(next_->camera, there)) {
+  const Vec3 there = later ? *later : next_camera_->position + 1e4f * ray.direction;
+  if (const auto image_point = project(*next_camera_, there)) {
     layers_.motion[2 * place(x, y)] = image_point->x() - centre_x;
     layers_.motion[2 * place(x, y) + 1] = image_point->y() - centre_y;
   }
@@ -202,11 +205,11 @@ Layers empty_layers(const Scene& scene, int width, int height) {
   return layers;
 }
 
-void draw_layers(const PreparedScene& prepared, const NextScene* next, const Tile& tile,
-                 Layers& layers) {
-  LayerPainter painter(prepared, next, layers);
-  for (int y = tile.y_begin; y < tile.y_end; ++y)
-    for (int x = tile.x_begin; x < tile.x_end; ++x) painter.draw(x, y);
+void draw_layers(const PreparedScene& prepared, const Scene* next, const Camera* next_camera,
+                 const Window& part, Layers& layers) {
+  LayerPainter painter(prepared, next, next_camera, layers);
+  for (int y = part.y; y < part.y_end(); ++y)
+    for (int x = part.x; x < part.x_end(); ++x) painter.draw(x, y);
 }
 
 }  // namespace mien::render

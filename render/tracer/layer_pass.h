@@ -6,18 +6,13 @@
 
 namespace mien::render {
 
-/// The next picture's scene and camera, for motion vectors.
-struct NextScene {
-  const Scene* scene = nullptr;  ///< same solids in the same order; null: nothing moves
-  Camera camera;
-};
-
 /// Allocates all layers but the beauty and fills in the names of figures and parts.
 Layers empty_layers(const Scene& scene, int width, int height);
 
-/// Renders the pixels of a tile in all layers but beauty and variance. Without `next`, motion stays
-/// 0.
-void draw_layers(const PreparedScene& prepared, const NextScene* next, const Tile& tile,
-                 Layers& layers);
+/// Renders the pixels of `part` in all layers but beauty and variance. Motion vectors point to the
+/// next picture: `next` is its scene, with the same solids in the same order (null: nothing moves),
+/// and `next_camera` its camera (null: motion stays 0).
+void draw_layers(const PreparedScene& prepared, const Scene* next, const Camera* next_camera,
+                 const Window& part, Layers& layers);
 
 }  // namespace mien::render

@@ -10,6 +10,8 @@
 namespace mien::render {
 namespace {
 
+using Condition = ShadowRays::Condition;
+
 /// Points of a light, along its diagonal, whose mean is that of the whole light for all polynomials
 /// of second degree but the product of both coordinates (Gauss).
 constexpr std::array diagonal_points{0.21132487f, 0.78867513f};
@@ -76,6 +78,11 @@ void add_known(const Sample& sample, const Color& light, bool of_figure) {
   (of_figure ? pixel.known_figure : pixel.known_set) += static_cast<float>(sample.count) * light;
 }
 
+/// The sum of the light that shadow rays of a sample decide about.
+Color& sum_of(const Sample& sample, bool of_figure) {
+  return of_figure ? sample.pixel->figure : sample.pixel->set;
+}
+
 /// Largest number of samples that a point represents.
 int most_samples(std::span<const ShadingPoint> batch) {
   int most = 0;
@@ -133,9 +140,9 @@ void Lighting::add_area_lights(std::span<const ShadingPoint> batch, bool of_figu
         const Surface& surface = batch[i].surface;
         Color reflected = reflectance(surface, lit.towards);
         if (shares) reflected -= surface.albedo / pi;
-        enqueue({batch[i].sample, lit.irradiance * reflected,
-                 of_figure ? &Pixel::figure : &Pixel::set, Decision::adds_if_visible},
-                origin_of(batch[i], ray), lit.towards, lit.distance);
+        rays_.push(batch[i].sample, origin_of(batch[i], ray), lit.towards, lit.distance,
+                   lit.irradiance * reflected, Condition::visible,
+                   sum_of(batch[i].sample, of_figure));
       });
     }
   }
@@ -200,9 +207,9 @@ void Lighting::add_sky(std::span<const ShadingPoint> batch, const LaneVectors& n
       const Vec3 direction = towards.at(static_cast<int>(i));
       const Color light = surface.albedo * (share * sky_radiance(sky, direction));
       const Vec3& origin = origin_of(batch[i], k / rays);
-      enqueue({batch[i].sample, light, of_figure ? &Pixel::figure : &Pixel::set,
-               Decision::subtracts_if_occluded},
-              origin, direction, distance_to_end(prepared_.scene, origin, direction));
+      rays_.push(batch[i].sample, origin, direction,
+                 distance_to_end(prepared_.scene, origin, direction), -light, Condition::occluded,
+                 sum_of(batch[i].sample, of_figure));
     }
   }
 }
@@ -234,8 +241,7 @@ void Lighting::assign_groups(std::span<const ShadingPoint> batch) {
 
 void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) {
   const Scene& scene = prepared_.scene;
-  const Decision subtracts =
-      of_all ? Decision::subtracts_if_occluded : Decision::subtracts_if_shadowed;
+  const Condition lacking = of_all ? Condition::occluded : Condition::shadowed;
   const LaneVectors origins = origins_of(batch);
   std::uint32_t lights = 0;
   bool any_sky = false;
@@ -253,7 +259,8 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
           !may_intersect(prepared_.bounds, origin, ray.towards))
         return;
       const Color light = ray.irradiance * reflectance(batch[i].surface, ray.towards);
-      enqueue({batch[i].sample, light, &Pixel::set, subtracts}, origin, ray.towards, ray.distance);
+      rays_.push(batch[i].sample, origin, ray.towards, ray.distance, -light, lacking,
+                 sum_of(batch[i].sample, false));
     });
   }
   if (!any_sky) return;
@@ -268,45 +275,14 @@ void Lighting::subtract_batch(std::span<const ShadingPoint> batch, bool of_all) 
     if (point.sample.index >= point.sky.rays || share <= 0.0f) continue;
     const Color light =
         share * point.sky.samples * point.surface.albedo * sky_radiance(scene.sky, towards);
-    enqueue({point.sample, light, &Pixel::set, subtracts}, point.surface.origin, towards,
-            distance_to_end(scene, point.surface.origin, towards));
+    rays_.push(point.sample, point.surface.origin, towards,
+               distance_to_end(scene, point.surface.origin, towards), -light, lacking,
+               sum_of(point.sample, false));
   }
-}
-
-void Lighting::enqueue(const Query& query, const Vec3& origin, const Vec3& direction,
-                       float distance) {
-  if ((query.light == 0.0f).all()) return;
-  queries_[static_cast<std::size_t>(rays_.count)] = query;
-  rays_.push(origin, direction, distance, query.sample.time, query.sample.present);
-  if (rays_.count == packet_size) trace();
-}
-
-void Lighting::trace() {
-  if (rays_.count == 0) return;
-  const std::uint32_t by_figure = prepared_.figure.occluded(rays_);
-  const std::uint32_t by_set =
-      prepared_.static_solids != nullptr ? prepared_.static_solids->occluded(rays_) : 0;
-  for (int i = 0; i < rays_.count; ++i) {
-    const Query& query = queries_[static_cast<std::size_t>(i)];
-    Color& sum = query.sample.pixel->*query.sum;
-    const bool figure = ((by_figure >> i) & 1u) != 0, set = ((by_set >> i) & 1u) != 0;
-    switch (query.decision) {
-      case Decision::adds_if_visible:
-        if (!figure && !set) sum += query.light;
-        break;
-      case Decision::subtracts_if_occluded:
-        if (figure || set) sum -= query.light;
-        break;
-      case Decision::subtracts_if_shadowed:
-        if (figure && !set) sum -= query.light;
-        break;
-    }
-  }
-  rays_.count = 0;
 }
 
 void Lighting::finish() {
-  trace();
+  rays_.finish();
   for (const Group& group : groups_) {
     if ((group.light == 0.0f).all()) continue;
     Pixel& pixel = *group.pixel;

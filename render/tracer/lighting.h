@@ -8,6 +8,7 @@
 
 #include "render/tracer/prepared_scene.h"
 #include "render/tracer/samples.h"
+#include "render/tracer/shadow_rays.h"
 
 namespace mien::render {
 
@@ -17,6 +18,7 @@ class Lighting {
  public:
   explicit Lighting(const PreparedScene& prepared)
       : prepared_(prepared),
+        rays_(prepared),
         shares_sky_(prepared.quality.figure_sharing_pixels > 0),
         shares_lights_(shares_sky_ && prepared.quality.figure_shares_lights) {}
 
@@ -36,18 +38,6 @@ class Lighting {
   void finish();
 
  private:
-  /// What a shadow ray decides.
-  enum class Decision {
-    adds_if_visible,        ///< light is added unless something occludes it
-    subtracts_if_occluded,  ///< light is subtracted if something occludes it
-    subtracts_if_shadowed   ///< light is subtracted if the figure alone occludes it
-  };
-  struct Query {
-    Sample sample;
-    Color light = Color::Zero();
-    Color Pixel::*sum = nullptr;
-    Decision decision = Decision::adds_if_visible;
-  };
   /// Samples of a pixel that show one part of the figure and whose occlusion is shared.
   struct Group {
     Pixel* pixel;
@@ -65,15 +55,10 @@ class Lighting {
   void add_to_group(std::size_t number, const Sample& sample, const Color& light);
   void assign_groups(std::span<const ShadingPoint> batch);
 
-  /// Queues a shadow ray; `query.light` is the radiance that it contributes.
-  void enqueue(const Query& query, const Vec3& origin, const Vec3& direction, float distance);
-  void trace();
-
   const PreparedScene& prepared_;
+  ShadowRays rays_;
   const bool shares_sky_;  // occlusion of the sky on figures is shared
   const bool shares_lights_;
-  RayPacket rays_;
-  std::array<Query, packet_size> queries_;
   std::vector<Group> groups_;                          // by pixel
   std::array<std::size_t, lanes> group_numbers_ = {};  // of the points of a batch
 };

@@ -11,6 +11,7 @@
 #include "render/tracer/camera_rays.h"
 #include "render/tracer/pixel_plan.h"
 #include "render/tracer/samples.h"
+#include "render/tracer/shadow_rays.h"
 
 namespace mien::render {
 namespace {
@@ -30,10 +31,11 @@ class OcclusionFinder {
                   prepared.scene.has_ground && !prepared.scene.lights.empty()),
         of_figure_(prepared.quality.figure_sharing_pixels > 0),
         lights_of_figure_(of_figure_ && prepared.quality.figure_shares_lights),
-        planner_(prepared) {}
+        planner_(prepared),
+        rays_(prepared) {}
 
   /// Finds what there is in a row of tiles, and hands it over.
-  void find_in(const Tile& band);
+  void find_in(const Window& band);
 
  private:
   /// A sample, the start of its rays, and what they find.
@@ -45,19 +47,17 @@ class OcclusionFinder {
     SharedOcclusion::Found found;
   };
 
-  bool may_show_figure(const Tile& tile, int y) const {
+  bool may_show_figure(const Window& tile, int y) const {
     return of_figure_ &&
-           (everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y));
+           (everywhere_ || prepared_.pixel_mask.may_intersect_row(tile.x, tile.x_end(), y));
   }
-  void find(const Tile& tile);
+  void find(const Window& tile);
   void add_pixel(int x, int y, std::uint32_t lights, bool may_show_figure);
   void cast();
   void place();
   void find_sky();
   void find_light(int light);
   LanePoints random_points(Dimension dimension, int which = 0) const;
-  void enqueue(Point& point, const Vec3& direction, float distance, const Color& light);
-  void trace();
 
   const PreparedScene& prepared_;
   SharedOcclusion& shared_;
@@ -69,34 +69,32 @@ class OcclusionFinder {
   std::array<Point, lanes> points_;
   std::size_t count_ = 0;
   bool may_hit_ = false;  // any of the samples may show a solid
-  RayPacket rays_;
-  std::array<Point*, packet_size> ray_points_;
-  std::array<Color, packet_size> ray_light_;
+  ShadowRays rays_;
   std::array<std::vector<SharedOcclusion::Found>, tile_size> figure_rows_;
   std::array<std::vector<SharedOcclusion::Found>, tile_size> floor_rows_;
 };
 
-void OcclusionFinder::find_in(const Tile& band) {
+void OcclusionFinder::find_in(const Window& band) {
   bool any = of_floor_;
-  for (int y = band.y_begin; y < band.y_end && !any; ++y) any = may_show_figure(band, y);
+  for (int y = band.y; y < band.y_end() && !any; ++y) any = may_show_figure(band, y);
   if (!any) return;
-  for (int x = band.x_begin; x < band.x_end; x += tile_size)
-    find({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end});
+  for (int x = band.x; x < band.x_end(); x += tile_size)
+    find(intersection(band, {x, band.y, tile_size, band.height}));
   cast();
-  for (int y = band.y_begin; y < band.y_end; ++y) {
+  for (int y = band.y; y < band.y_end(); ++y) {
     shared_.set_figure_row(y, figure_rows_[static_cast<std::size_t>(y % tile_size)]);
     shared_.set_floor_row(y, floor_rows_[static_cast<std::size_t>(y % tile_size)]);
   }
 }
 
-void OcclusionFinder::find(const Tile& tile) {
+void OcclusionFinder::find(const Window& tile) {
   if (of_floor_) planner_.begin_tile(tile);
   const bool shadowed = of_floor_ && planner_.may_show_shadow();
-  for (int y = tile.y_begin; y < tile.y_end; ++y) {
+  for (int y = tile.y; y < tile.y_end(); ++y) {
     if (!shadowed && !may_show_figure(tile, y)) continue;
     const PixelPlan* plans = shadowed ? planner_.plan_row(y).data() : nullptr;
-    for (int x = tile.x_begin; x < tile.x_end; ++x) {
-      const std::uint32_t lights = shadowed ? plans[x - tile.x_begin].shadow_lights : 0;
+    for (int x = tile.x; x < tile.x_end(); ++x) {
+      const std::uint32_t lights = shadowed ? plans[x - tile.x].shadow_lights : 0;
       const bool figure = everywhere_ || prepared_.pixel_mask.may_intersect(x, y);
       if (lights != 0 || (of_figure_ && figure)) add_pixel(x, y, lights, figure);
     }
@@ -130,6 +128,7 @@ void OcclusionFinder::cast() {
   place();
   if (of_figure_) find_sky();
   for (int k = 0; k < static_cast<int>(prepared_.scene.lights.size()); ++k) find_light(k);
+  rays_.finish();
   for (std::size_t i = 0; i < count_; ++i) {
     const SharedOcclusion::Found& found = points_[i].found;
     auto& rows = found.part == SharedOcclusion::floor_part ? floor_rows_ : figure_rows_;
@@ -177,10 +176,10 @@ void OcclusionFinder::find_sky() {
     if (!shows_figure(point)) continue;
     const Vec3 direction = towards.at(static_cast<int>(i));
     point.found.light += unoccluded_sky_light(sky, point.found.normal);
-    enqueue(point, direction, distance_to_end(prepared_.scene, point.origin, direction),
-            sky_radiance(sky, direction));
+    rays_.push(point.sample, point.origin, direction,
+               distance_to_end(prepared_.scene, point.origin, direction),
+               sky_radiance(sky, direction), ShadowRays::Condition::occluded, point.found.occluded);
   }
-  trace();
 }
 
 void OcclusionFinder::find_light(int number) {
@@ -201,14 +200,16 @@ void OcclusionFinder::find_light(int number) {
     const float irradiance = point.found.normal.dot(towards) * chosen.share[lane];
     if (!is_lit(point) || irradiance <= 0.0f) continue;
     const Color radiance = irradiance / pi * light.radiance;
-    if (point.found.part != SharedOcclusion::floor_part)
+    const bool of_floor = point.found.part == SharedOcclusion::floor_part;
+    if (!of_floor)
       point.found.light += radiance;
     else if (!prepared_.quality.exhaustive &&
              !may_intersect(prepared_.bounds, point.origin, towards))
       continue;
-    enqueue(point, towards, chosen.distance[lane], radiance);
+    rays_.push(point.sample, point.origin, towards, chosen.distance[lane], radiance,
+               of_floor ? ShadowRays::Condition::shadowed : ShadowRays::Condition::occluded,
+               point.found.occluded);
   }
-  trace();
 }
 
 LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const {
@@ -220,32 +221,9 @@ LanePoints OcclusionFinder::random_points(Dimension dimension, int which) const 
   return sample_points(index, seed);
 }
 
-void OcclusionFinder::enqueue(Point& point, const Vec3& direction, float distance,
-                              const Color& light) {
-  ray_points_[static_cast<std::size_t>(rays_.count)] = &point;
-  ray_light_[static_cast<std::size_t>(rays_.count)] = light;
-  rays_.push(point.origin, direction, distance, point.sample.time, point.sample.present);
-}
-
-// Adds the light that the figure occludes from the floor and nothing else does, or anything from
-// the figure.
-void OcclusionFinder::trace() {
-  if (rays_.count == 0) return;
-  const std::uint32_t by_figure = prepared_.figure.occluded(rays_);
-  const std::uint32_t by_set =
-      prepared_.static_solids != nullptr ? prepared_.static_solids->occluded(rays_) : 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays_.count); ++i) {
-    SharedOcclusion::Found& found = ray_points_[i]->found;
-    const std::uint32_t occluded =
-        found.part == SharedOcclusion::floor_part ? by_figure & ~by_set : by_figure | by_set;
-    if (((occluded >> i) & 1u) != 0) found.occluded += ray_light_[i];
-  }
-  rays_.count = 0;
-}
-
 }  // namespace
 
-void find_occlusion_in(const PreparedScene& prepared, const Tile& band, SharedOcclusion& shared) {
+void find_occlusion_in(const PreparedScene& prepared, const Window& band, SharedOcclusion& shared) {
   OcclusionFinder(prepared, shared).find_in(band);
 }
 

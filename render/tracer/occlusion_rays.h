@@ -11,6 +11,6 @@ namespace mien::render {
 /// floor, that of the area lights. One of every Quality::figure_samples_per_ray samples casts rays,
 /// or of floor_samples_per_ray where the floor may be shadowed. `band` has all tiles of a row that
 /// anything is to be found for.
-void find_occlusion_in(const PreparedScene& prepared, const Tile& band, SharedOcclusion& shared);
+void find_occlusion_in(const PreparedScene& prepared, const Window& band, SharedOcclusion& shared);
 
 }  // namespace mien::render

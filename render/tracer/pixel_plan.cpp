@@ -10,15 +10,8 @@
 namespace mien::render {
 namespace {
 
-struct ImageArea {
-  float x_min;
-  float x_max;
-  float y_min;
-  float y_max;
-};
-
-/// The floor that a part of the image shows. The slope of rays is linear on the image, so the rays
-/// through its corners decide.
+/// The floor that a part of the image shows, and a margin around it. The slope of rays is linear on
+/// the image, so the rays through its corners decide.
 struct FloorInView {
   bool any = false;               ///< whether there may be any
   std::optional<FloorArea> area;  ///< its bounding box; nothing when it extends to the horizon
@@ -26,12 +19,14 @@ struct FloorInView {
   Vec3 widest = Vec3::Zero();     ///< greatest absolute components of these directions
 };
 
-FloorInView floor_in(const CameraFrame& camera, const ImageArea& image) {
+FloorInView floor_in(const CameraFrame& camera, const Window& image, float margin) {
   FloorInView view;
   FloorArea area{infinity, -infinity, infinity, -infinity};
   bool all = true;
-  for (const float x : {image.x_min, image.x_max}) {
-    for (const float y : {image.y_min, image.y_max}) {
+  for (const float x :
+       {static_cast<float>(image.x) - margin, static_cast<float>(image.x_end()) + margin}) {
+    for (const float y :
+         {static_cast<float>(image.y) - margin, static_cast<float>(image.y_end()) + margin}) {
       const CameraRay ray = camera.unnormalised_ray(x, y);
       const std::optional<float> distance = distance_to_floor(ray.origin, ray.direction);
       view.any |= distance.has_value();
@@ -66,36 +61,29 @@ FloorPlace floor_reach(const CameraFrame& camera, const FloorInView& view, float
   return floor;
 }
 
-/// Consecutive pixels of a row whose floor lies in one cell.
-struct CellPixels {
-  const FloorRow& row;
-  int column;  // of the first
-  int count;
-  const float* radiance;  // of the first pixel on
-  const float* albedo;
-};
-
-/// Writes their radiance less the occluded sky light.
-MIEN_FOR_AVX2_TOO void show_cell(const CellPixels& pixels, const FloorSky::Cell& cell, float* out) {
+/// Writes the radiance less the occluded sky light of the pixels [first, end) of a row, whose floor
+/// is in one cell.
+MIEN_FOR_AVX2_TOO void show_cell(const StaticBackground& background, const FloorRow& floor_row,
+                                 const FloorSky::Cell& cell, int y, int first, int end,
+                                 const Canvas& canvas) {
   constexpr int at_once = 32;
-  const FloorRow row = pixels.row;
+  const FloorRow row = floor_row;
   const float x = cell.x, z = cell.z, inverse_side = cell.inverse_side;
-  for (int begin = 0; begin < pixels.count; begin += at_once) {
-    const int count = std::min(at_once, pixels.count - begin);
-    const int first = pixels.column + begin;
+  for (int begin = first; begin < end; begin += at_once) {
+    const int count = std::min(at_once, end - begin);
     float right[at_once], far[at_once];
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
-      const FloorPlace place = row.at(first + i);
+      const FloorPlace place = row.at(begin + i);
       right[i] = (place.x - x) * inverse_side;
       far[i] = (place.z - z) * inverse_side;
     }
     for (int c = 0; c < 3; ++c) {
       const float at_corner = cell.at_corner[c], along_x = cell.along_x[c];
       const float along_z = cell.along_z[c], along_both = cell.along_both[c];
-      const float *radiance = pixels.radiance + 3 * begin + c,
-                  *albedo = pixels.albedo + 3 * begin + c;
-      float* shown = out + 3 * begin + c;
+      const float *radiance = background.radiance.at(begin, y) + c,
+                  *albedo = background.albedo.at(begin, y) + c;
+      float* shown = canvas.color(begin, y) + c;
 #pragma omp simd
       for (int i = 0; i < count; ++i)
         shown[3 * i] =
@@ -133,14 +121,11 @@ constexpr int run_pixels = 8;  // planned at once
 
 }  // namespace
 
-void PixelPlanner::begin_tile(const Tile& tile) {
+void PixelPlanner::begin_tile(const Window& tile) {
   tile_ = tile;
   const bool whole = prepared_.quality.exhaustive;
   const float margin = prepared_.filter.half_width();
-  const ImageArea image{
-      static_cast<float>(tile.x_begin) - margin, static_cast<float>(tile.x_end) + margin,
-      static_cast<float>(tile.y_begin) - margin, static_cast<float>(tile.y_end) + margin};
-  const FloorInView floor = floor_in(prepared_.camera, image);
+  const FloorInView floor = floor_in(prepared_.camera, tile, margin);
   tile_lights_ = 0;
   for (std::size_t i = 0; i < prepared_.shadow_masks.size(); ++i) {
     const ShadowMask& mask = prepared_.shadow_masks[i];
@@ -150,9 +135,9 @@ void PixelPlanner::begin_tile(const Tile& tile) {
   floor_reach_.reset();
   if (tile_lights_ != 0 && floor.area) floor_reach_ = floor_reach(prepared_.camera, floor, margin);
   figure_rows_ = 0;
-  for (int y = tile.y_begin; y < tile.y_end; ++y)
-    if (whole || prepared_.pixel_mask.may_intersect_row(tile.x_begin, tile.x_end, y))
-      figure_rows_ |= 1u << (y - tile.y_begin);
+  for (int y = tile.y; y < tile.y_end(); ++y)
+    if (whole || prepared_.pixel_mask.may_intersect_row(tile.x, tile.x_end(), y))
+      figure_rows_ |= 1u << (y - tile.y);
   shows_background_only_ =
       tile_lights_ == 0 && figure_rows_ == 0 && !per_sample_ && !prepared_.static_solids;
 }
@@ -162,15 +147,15 @@ void PixelPlanner::begin_tile(const Tile& tile) {
 const std::array<PixelPlan, tile_size>& PixelPlanner::plan_row(int y) {
   const bool figure_exists = prepared_.bounds.radius >= 0.0f;
   const StaticBackground& background = prepared_.background;
-  for (int begin = tile_.x_begin; begin < tile_.x_end; begin += run_pixels) {
-    const int end = std::min(begin + run_pixels, tile_.x_end);
+  for (int begin = tile_.x; begin < tile_.x_end(); begin += run_pixels) {
+    const int end = std::min(begin + run_pixels, tile_.x_end());
     const bool together = background.shows_floor(begin, y) && background.shows_floor(end - 1, y);
     std::uint32_t lights = 0;
     if (figure_exists && tile_lights_ != 0 && together) lights = shadow_lights(begin, end - 1, y);
     for (int x = begin; x < end; ++x) {
       if (figure_exists && tile_lights_ != 0 && !together)
         lights = background.shows_floor(x, y) ? shadow_lights(x, x, y) : 0;
-      plans_[static_cast<std::size_t>(x - tile_.x_begin)] = plan(x, y, lights);
+      plans_[static_cast<std::size_t>(x - tile_.x)] = plan(x, y, lights);
     }
   }
   return plans_;
@@ -179,7 +164,7 @@ const std::array<PixelPlan, tile_size>& PixelPlanner::plan_row(int y) {
 PixelPlan PixelPlanner::plan(int x, int y, std::uint32_t lights) const {
   const bool solid =
       prepared_.static_solids != nullptr && prepared_.background.may_show_solid(x, y);
-  const bool figure = ((figure_rows_ >> (y - tile_.y_begin)) & 1u) != 0 &&
+  const bool figure = ((figure_rows_ >> (y - tile_.y)) & 1u) != 0 &&
                       (prepared_.quality.exhaustive || prepared_.pixel_mask.may_intersect(x, y));
   if (per_sample_ || (figure && solid)) return {PixelKind::per_sample, 0};
   const bool is_traced = figure || (solid && prepared_.bounds.radius >= 0.0f);
@@ -203,29 +188,27 @@ std::uint32_t PixelPlanner::shadow_lights(int first, int last, int y) {
   return hidden;
 }
 
-void PixelPlanner::write_background(const Tile& band, const Canvas& canvas,
+void PixelPlanner::write_background(const Window& band, const Canvas& canvas,
                                     std::vector<std::uint8_t>& is_known) {
   const StaticBackground& background = prepared_.background;
-  for (int y = band.y_begin; y < band.y_end; ++y) {
+  for (int y = band.y; y < band.y_end(); ++y) {
     const FloorRow& row = floor_row(y);
-    for (int x = band.x_begin; x < band.x_end;) {
+    for (int x = band.x; x < band.x_end();) {
       const int first = x;
       const bool floor = background.shows_floor(first, y);
       const FloorPlace place = row.at(first);
       if (floor && !cell_->holds(place.x, place.z))
         cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
       if (floor && !cell_->known) {
-        is_known[static_cast<std::size_t>((first - band.x_begin) / tile_size)] = 0;
+        is_known[static_cast<std::size_t>((first - band.x) / tile_size)] = 0;
         ++x;
       } else if (!floor || cell_->inverse_side == 0.0f) {
         do ++x;
-        while (x < band.x_end && !background.shows_floor(x, y));
+        while (x < band.x_end() && !background.shows_floor(x, y));
         std::copy_n(background.radiance.at(first, y), 3 * (x - first), canvas.color(first, y));
       } else {
-        x = end_of_cell(background, row, *cell_, first, y, band.x_end);
-        show_cell({row, first, x - first, background.radiance.at(first, y),
-                   background.albedo.at(first, y)},
-                  *cell_, canvas.color(first, y));
+        x = end_of_cell(background, row, *cell_, first, y, band.x_end());
+        show_cell(background, row, *cell_, y, first, x, canvas);
       }
     }
   }
@@ -239,14 +222,15 @@ const FloorRow& PixelPlanner::floor_row(int y) {
   return row_;
 }
 
-BackgroundLight PixelPlanner::background_at(int x, int y) {
+std::optional<Color> PixelPlanner::background_at(int x, int y) {
   const StaticBackground& background = prepared_.background;
   const Color radiance = Eigen::Map<const Color>(background.radiance.at(x, y));
-  if (!background.shows_floor(x, y)) return {radiance, true};
+  if (!background.shows_floor(x, y)) return radiance;
   const FloorPlace place = floor_row(y).at(x);
   if (!cell_->holds(place.x, place.z)) cell_ = &prepared_.floor_sky.cell_at(place.x, place.z);
-  if (!cell_->known || cell_->inverse_side == 0.0f) return {radiance, cell_->known};
-  return {radiance - background.floor_albedo(x, y) * cell_->hidden(place.x, place.z), true};
+  if (!cell_->known) return std::nullopt;
+  if (cell_->inverse_side == 0.0f) return radiance;
+  return radiance - background.floor_albedo(x, y) * cell_->hidden(place.x, place.z);
 }
 
 SkyRays PixelPlanner::floor_sky_rays(int x, int y) {

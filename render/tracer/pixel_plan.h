@@ -21,12 +21,6 @@ struct PixelPlan {
   bool shows_background_only() const { return kind == PixelKind::background && shadow_lights == 0; }
 };
 
-/// The background of a pixel.
-struct BackgroundLight {
-  Color radiance;  ///< minus the figure's occlusion of the sky, if that is known
-  bool complete;   ///< false: the occlusion of the sky is not known and needs rays
-};
-
 /// Decides what needs to be traced for each pixel. Each thread has its own.
 class PixelPlanner {
  public:
@@ -36,7 +30,7 @@ class PixelPlanner {
         asks_all_lights_(prepared.quality.exhaustive && prepared.quality.floor_sharing_pixels == 0),
         cell_(&prepared.floor_sky.cell_at(0.0f, 0.0f)) {}
 
-  void begin_tile(const Tile& tile);
+  void begin_tile(const Window& tile);
 
   /// Whether the figure may occlude a light from some of the tile's floor.
   bool may_show_shadow() const { return tile_lights_ != 0; }
@@ -50,12 +44,14 @@ class PixelPlanner {
 
   /// Writes the background of each pixel of a row of tiles, except where the occlusion of the sky
   /// is not known: `is_known` of tiles with such pixels, counted from the left, becomes 0.
-  void write_background(const Tile& band, const Canvas& canvas,
+  void write_background(const Window& band, const Canvas& canvas,
                         std::vector<std::uint8_t>& is_known);
 
-  BackgroundLight background_at(int x, int y);
+  /// Returns the radiance of a pixel's background less the figure's occlusion of the sky; nothing
+  /// if that is not known and needs rays.
+  std::optional<Color> background_at(int x, int y);
 
-  /// The sky rays of a pixel whose background is not complete.
+  /// The sky rays of a pixel whose occlusion of the sky is not known.
   SkyRays floor_sky_rays(int x, int y);
 
  private:
@@ -67,7 +63,7 @@ class PixelPlanner {
   const bool per_sample_;
   const bool asks_all_lights_;  // also where the figure occludes none
   const FloorSky::Cell* cell_;  // last cell of the floor that was used
-  Tile tile_{};
+  Window tile_{};
   std::uint32_t tile_lights_ = 0;  // bit i: the figure may occlude light i somewhere in the tile
   // How far the floor that a pixel's samples show extends from that at its centre, along x and z,
   // metres; none at the horizon. Only if the tile has tile_lights_.

@@ -12,6 +12,7 @@
 #include "render/math/constants.h"
 #include "render/tracer/camera_rays.h"
 #include "render/tracer/samples.h"
+#include "render/tracer/shadow_rays.h"
 
 namespace mien::render {
 namespace {
@@ -43,83 +44,81 @@ float visibility(const Ground& ground, float distance) {
   return 1.0f - x * x * (3.0f - 2.0f * x);
 }
 
-/// What a camera ray shows.
-struct CameraHit {
-  Color unlit = Color::Zero();  ///< radiance that no shadow ray decides: backdrop, emission
-  bool is_figure = false;
-  bool is_lit = false;  ///< a solid or the floor
-  Surface surface;      ///< if it is lit
-};
-
 /// The samples of a pixel, up to eight at a time.
 class ReferencePixel {
  public:
-  ReferencePixel(const PreparedScene& prepared, int x, int y) : prepared_(prepared) {
+  /// Without the figure what is behind it is seen, unshadowed by it.
+  ReferencePixel(const PreparedScene& prepared, int x, int y, bool with_figure)
+      : prepared_(prepared), with_figure_(with_figure), shadow_rays_(prepared, with_figure) {
     pixel_.x = x;
     pixel_.y = y;
     pixel_.sampler = PixelSampler(prepared.quality.seed, x, y);
   }
 
-  /// Adds samples [first, last). Without the figure what is behind it is seen, unshadowed by it.
-  void add(int first, int last, bool with_figure);
+  /// Adds samples [first, last).
+  void add(int first, int last);
 
   Color figure = Color::Zero();      ///< sums over the samples: radiance of the figure
   Color background = Color::Zero();  ///< and of the set
   int covered = 0;                   ///< samples that show the figure
 
  private:
-  CameraHit hit(const RayPacket& rays, int ray, const FirstHit& first) const;
+  void hit(const RayPacket& rays, std::size_t sample, const FirstHit& first);
   void light_from(const AreaLight& light, int number);
   void light_from_sky();
-  void cast(std::size_t lit, const Vec3& towards, float distance, const Color& radiance);
-  void finish_rays();
-  void add_radiance(const CameraHit& from, const Color& radiance) {
-    (from.is_figure ? figure : background) += radiance;
+  void cast(std::size_t sample, const Vec3& towards, float distance, const Color& radiance) {
+    shadow_rays_.push(samples_[sample], surfaces_[sample].origin, towards, distance, radiance,
+                      ShadowRays::Condition::visible, *sums_[sample]);
   }
 
   const PreparedScene& prepared_;
+  const bool with_figure_;
   Pixel pixel_;
-  bool with_figure_ = true;
   std::vector<Sample> samples_;
-  std::array<CameraHit, lanes> hits_;
-  LaneVectors origins_;  // of the shadow rays
+  std::array<Surface, lanes> surfaces_;  // that the samples show
+  std::array<Color*, lanes> sums_;       // of the light that they reflect; null: they show none
+  LaneVectors origins_;                  // of the shadow rays
   LaneVectors normals_;
-  RayPacket shadow_rays_;
-  std::array<std::size_t, lanes> lit_;  // of each shadow ray: the sample that it lights
-  std::array<Color, lanes> carried_;    // and the radiance that it adds if nothing occludes it
+  ShadowRays shadow_rays_;
 };
 
-void ReferencePixel::add(int first, int last, bool with_figure) {
-  with_figure_ = with_figure;
+void ReferencePixel::add(int first, int last) {
   samples_.clear();
   for (int i = first; i < last; ++i) samples_.push_back(sample_at(prepared_, pixel_, i));
   const RayPacket rays = camera_rays(prepared_, std::span<const Sample>(samples_));
-  const auto first_hit = first_hits(prepared_, rays, with_figure);
+  const auto first_hit = first_hits(prepared_, rays, with_figure_);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const CameraHit& now = hits_[i] = hit(rays, static_cast<int>(i), first_hit[i]);
-    origins_.set(static_cast<int>(i), now.surface.origin);
-    normals_.set(static_cast<int>(i), now.surface.normal);
-    add_radiance(now, now.unlit);
-    covered += now.is_figure ? 1 : 0;
+    hit(rays, i, first_hit[i]);
+    origins_.set(static_cast<int>(i), surfaces_[i].origin);
+    normals_.set(static_cast<int>(i), surfaces_[i].normal);
   }
   for (int k = 0; const AreaLight& light : prepared_.scene.lights) light_from(light, k++);
   light_from_sky();
 }
 
-CameraHit ReferencePixel::hit(const RayPacket& rays, int ray, const FirstHit& first) const {
+// Finds the surface that a sample shows, and adds the radiance that no shadow ray decides about:
+// emission and backdrop.
+void ReferencePixel::hit(const RayPacket& rays, std::size_t sample, const FirstHit& first) {
   const Scene& scene = prepared_.scene;
+  const int ray = static_cast<int>(sample);
+  Surface& surface = surfaces_[sample];
   if (first.exists()) {
-    const Surface surface = surface_at(prepared_, rays, ray, first);
-    return {surface.material->emission, first.of_figure, true, surface};
+    surface = surface_at(prepared_, rays, ray, first);
+    sums_[sample] = first.of_figure ? &figure : &background;
+    *sums_[sample] += surface.material->emission;
+    covered += first.of_figure ? 1 : 0;
+    return;
   }
-  const Color backdrop = backdrop_radiance(scene.sky, rays.direction(ray));
   const std::optional<Vec3> point = floor_point(rays, ray);
-  if (!point) return {backdrop, false, false, floor_surface(Vec3::Zero(), Color::Zero())};
-  const Vec3 eye = prepared_.camera.parallel ? prepared_.camera.position : rays.origin(ray);
-  const float share =
-      visibility(scene.ground, std::hypot(point->x() - eye.x(), point->z() - eye.z()));
-  return {(1.0f - share) * backdrop, false, share > 0.0f,
-          floor_surface(*point, share * albedo_at(scene.ground, *point))};
+  float share = 0.0f;  // of the floor, which fades into the backdrop
+  surface = floor_surface(Vec3::Zero(), Color::Zero());
+  if (point) {
+    const Vec3 eye = prepared_.camera.parallel ? prepared_.camera.position : rays.origin(ray);
+    share = visibility(scene.ground, std::hypot(point->x() - eye.x(), point->z() - eye.z()));
+    surface = floor_surface(*point, share * albedo_at(scene.ground, *point));
+  }
+  sums_[sample] = share > 0.0f ? &background : nullptr;
+  background += (1.0f - share) * backdrop_radiance(scene.sky, rays.direction(ray));
 }
 
 void ReferencePixel::light_from(const AreaLight& light, int number) {
@@ -130,60 +129,33 @@ void ReferencePixel::light_from(const AreaLight& light, int number) {
     const auto lane = static_cast<int>(i);
     const Vec3 towards = chosen.towards.at(lane);
     const float cosine = normals_.at(lane).dot(towards);
-    if (hits_[i].is_lit && cosine > 0.0f)
+    if (sums_[i] != nullptr && cosine > 0.0f)
       cast(i, towards, chosen.distance[lane],
-           (cosine * chosen.share[lane]) * light.radiance * reflectance(hits_[i].surface, towards));
+           (cosine * chosen.share[lane]) * light.radiance * reflectance(surfaces_[i], towards));
   }
-  finish_rays();
+  shadow_rays_.finish();
 }
 
 // Light from below comes through the floor (Sky), so a ray is occluded by nothing beyond it.
 void ReferencePixel::light_from_sky() {
-  const Scene& scene = prepared_.scene;
   const LaneVectors directions = cosine_directions(
       normals_, points_for(std::span<const Sample>(samples_), Dimension::FigureSky));
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (!hits_[i].is_lit) continue;
+    if (sums_[i] == nullptr) continue;
     const Vec3 towards = directions.at(static_cast<int>(i));
-    const Surface& surface = hits_[i].surface;
-    const std::optional<float> floor =
-        scene.has_ground ? distance_to_floor(surface.origin, towards) : std::nullopt;
-    cast(i, towards, floor.value_or(infinity), surface.albedo * sky_radiance(scene.sky, towards));
+    cast(i, towards, distance_to_end(prepared_.scene, surfaces_[i].origin, towards),
+         surfaces_[i].albedo * sky_radiance(prepared_.scene.sky, towards));
   }
-  finish_rays();
-}
-
-void ReferencePixel::cast(std::size_t lit, const Vec3& towards, float distance,
-                          const Color& radiance) {
-  if ((radiance == 0.0f).all()) return;
-  const auto ray = static_cast<std::size_t>(shadow_rays_.count);
-  lit_[ray] = lit;
-  carried_[ray] = radiance;
-  shadow_rays_.push(hits_[lit].surface.origin, towards, distance, samples_[lit].time,
-                    samples_[lit].present);
-}
-
-void ReferencePixel::finish_rays() {
-  if (shadow_rays_.count == 0) return;
-  std::uint32_t occluded = 0;
-  if (with_figure_) occluded |= prepared_.figure.occluded(shadow_rays_);
-  if (prepared_.static_solids != nullptr)
-    occluded |= prepared_.static_solids->occluded(shadow_rays_);
-  for (int k = 0; k < shadow_rays_.count; ++k) {
-    if (((occluded >> k) & 1u) != 0) continue;
-    const auto ray = static_cast<std::size_t>(k);
-    add_radiance(hits_[lit_[ray]], carried_[ray]);
-  }
-  shadow_rays_.count = 0;
+  shadow_rays_.finish();
 }
 
 void draw_pixel(const PreparedScene& prepared, int x, int y, const Canvas& canvas) {
   const int samples = prepared.quality.samples_per_pixel;
   const float share = 1.0f / static_cast<float>(samples);
   const auto add_all = [&](bool with_figure) {
-    ReferencePixel pixel(prepared, x, y);
+    ReferencePixel pixel(prepared, x, y, with_figure);
     for (int first = 0; first < samples; first += static_cast<int>(lanes))
-      pixel.add(first, std::min(first + static_cast<int>(lanes), samples), with_figure);
+      pixel.add(first, std::min(first + static_cast<int>(lanes), samples));
     return pixel;
   };
   const ReferencePixel pixel = add_all(true);
@@ -199,9 +171,9 @@ void draw_pixel(const PreparedScene& prepared, int x, int y, const Canvas& canva
 
 }  // namespace
 
-void draw_reference(const PreparedScene& prepared, const Tile& part, const Canvas& canvas) {
-  for (int y = part.y_begin; y < part.y_end; ++y)
-    for (int x = part.x_begin; x < part.x_end; ++x) draw_pixel(prepared, x, y, canvas);
+void draw_reference(const PreparedScene& prepared, const Window& part, const Canvas& canvas) {
+  for (int y = part.y; y < part.y_end(); ++y)
+    for (int x = part.x; x < part.x_end(); ++x) draw_pixel(prepared, x, y, canvas);
 }
 
 }  // namespace mien::render

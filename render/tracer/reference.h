@@ -13,6 +13,6 @@ namespace mien::render {
 /// between samples or pixels, interpolated, known in closed form or kept from other pictures; the
 /// grid of the floor is not filtered: each sample takes the albedo where its ray ends. The
 /// background and the masks of the prepared scene are not used.
-void draw_reference(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
+void draw_reference(const PreparedScene& prepared, const Window& part, const Canvas& canvas);
 
 }  // namespace mien::render

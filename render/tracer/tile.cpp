@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,7 @@ class TileRenderer {
         unshadowed_(prepared.scene, prepared.camera),
         lighting_(prepared) {}
 
-  void draw(const Tile& part, const Canvas& canvas);
+  void draw(const Window& part, const Canvas& canvas);
 
  private:
   /// The last samples that show the figure, of one pixel and surface.
@@ -45,10 +46,10 @@ class TileRenderer {
     Vec3 directions = Vec3::Zero();                 // sum of the directions of their rays
   };
 
-  void draw_band(const Tile& band, const Canvas& canvas);
-  void draw_tile(const Tile& tile, bool is_known, const Canvas& canvas);
-  void plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas);
-  void add_pixel(int x, int y, const PixelPlan& plan, const BackgroundLight& background);
+  void draw_band(const Window& band, const Canvas& canvas);
+  void draw_tile(const Window& tile, bool is_known, const Canvas& canvas);
+  void plan_pixels(const Window& rows, bool is_known, const Canvas& canvas);
+  void add_pixel(int x, int y, const PixelPlan& plan, const std::optional<Color>& background);
   void trace();
   template <class Work>
   void for_eights(std::span<const Sample> samples, const Work& work);
@@ -87,31 +88,31 @@ class TileRenderer {
   std::vector<ShadingPoint> floor_points_;   // of the unshadowed floor
 };
 
-void TileRenderer::draw(const Tile& part, const Canvas& canvas) {
-  for (int y = part.y_begin; y < part.y_end; y += tile_size)
-    draw_band({part.x_begin, part.x_end, y, std::min(y + tile_size, part.y_end)}, canvas);
+void TileRenderer::draw(const Window& part, const Canvas& canvas) {
+  for (int y = part.y; y < part.y_end(); y += tile_size)
+    draw_band(intersection(part, {part.x, y, part.width, tile_size}), canvas);
 }
 
-void TileRenderer::draw_band(const Tile& band, const Canvas& canvas) {
-  const int tiles = (band.x_end - band.x_begin + tile_size - 1) / tile_size;
+void TileRenderer::draw_band(const Window& band, const Canvas& canvas) {
+  const int tiles = (band.width + tile_size - 1) / tile_size;
   is_known_.assign(static_cast<std::size_t>(tiles), writes_background_ ? 1 : 0);
   if (writes_background_) planner_.write_background(band, canvas, is_known_);
   for (int k = 0; k < tiles; ++k) {
-    const int x = band.x_begin + k * tile_size;
-    draw_tile({x, std::min(x + tile_size, band.x_end), band.y_begin, band.y_end},
+    const int x = band.x + k * tile_size;
+    draw_tile(intersection(band, {x, band.y, tile_size, band.height}),
               is_known_[static_cast<std::size_t>(k)] != 0, canvas);
   }
 }
 
-void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canvas) {
+void TileRenderer::draw_tile(const Window& tile, bool is_known, const Canvas& canvas) {
   planner_.begin_tile(tile);
   if (is_known && planner_.shows_background_only()) return;
   pixels_.clear();
   pixels_.reserve(tile_size * tile_size);
   // Some rows at a time, which is enough for full packets.
   const int rows = std::clamp(16 / samples_, 1, tile_size);
-  for (int y = tile.y_begin; y < tile.y_end; y += rows) {
-    plan_pixels({tile.x_begin, tile.x_end, y, std::min(y + rows, tile.y_end)}, is_known, canvas);
+  for (int y = tile.y; y < tile.y_end(); y += rows) {
+    plan_pixels(intersection(tile, {tile.x, y, tile.width, rows}), is_known, canvas);
     trace();
     light();
   }
@@ -119,20 +120,19 @@ void TileRenderer::draw_tile(const Tile& tile, bool is_known, const Canvas& canv
   resolve(canvas);
 }
 
-void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& canvas) {
-  for (int y = rows.y_begin; y < rows.y_end; ++y) {
+void TileRenderer::plan_pixels(const Window& rows, bool is_known, const Canvas& canvas) {
+  for (int y = rows.y; y < rows.y_end(); ++y) {
     const auto& plans = planner_.plan_row(y);
-    for (int x = rows.x_begin; x < rows.x_end; ++x) {
-      const PixelPlan& plan = plans[static_cast<std::size_t>(x - rows.x_begin)];
+    for (int x = rows.x; x < rows.x_end(); ++x) {
+      const PixelPlan& plan = plans[static_cast<std::size_t>(x - rows.x)];
       if (is_known && plan.shows_background_only()) continue;
-      const BackgroundLight background =
-          is_known ? BackgroundLight{Eigen::Map<const Color>(canvas.color(x, y)), true}
-                   : planner_.background_at(x, y);
-      if (plan.kind == PixelKind::background && background.complete &&
+      const std::optional<Color> background =
+          is_known ? Eigen::Map<const Color>(canvas.color(x, y)) : planner_.background_at(x, y);
+      if (plan.kind == PixelKind::background && background &&
           (plan.shadow_lights == 0 || shares_floor_)) {
         const Color shadow =
             plan.shadow_lights != 0 ? shared_floor_shadow(x, y) : Color(Color::Zero());
-        write(x, y, Color::Zero(), background.radiance - shadow, 0.0f, canvas);
+        write(x, y, Color::Zero(), *background - shadow, 0.0f, canvas);
       } else {
         add_pixel(x, y, plan, background);
       }
@@ -140,18 +140,20 @@ void TileRenderer::plan_pixels(const Tile& rows, bool is_known, const Canvas& ca
   }
 }
 
+// `background` is nothing where rays find how much of the sky the figure occludes from the floor.
 void TileRenderer::add_pixel(int x, int y, const PixelPlan& plan,
-                             const BackgroundLight& background) {
+                             const std::optional<Color>& background) {
   Pixel& pixel = pixels_.emplace_back();
   pixel.x = x;
   pixel.y = y;
   pixel.kind = plan.kind;
   pixel.sampler = prepared_.sampler.for_pixel(x, y);
   pixel.shadow_lights = shares_floor_ ? 0 : plan.shadow_lights;
-  pixel.background = background.radiance;
+  pixel.background =
+      background.value_or(Eigen::Map<const Color>(prepared_.background.radiance.at(x, y)));
   pixel.floor_albedo = prepared_.background.floor_albedo(x, y);
   if (shares_floor_ && plan.shadow_lights != 0) pixel.floor_shadow = shared_floor_shadow(x, y);
-  if (!background.complete && plan.kind != PixelKind::per_sample)
+  if (!background && plan.kind != PixelKind::per_sample)
     pixel.floor_sky = planner_.floor_sky_rays(x, y);
   if (plan.kind != PixelKind::background) {
     for (int i = 0; i < samples_; ++i) traced_samples_.push_back(sample_at(prepared_, pixel, i));
@@ -357,26 +359,25 @@ float shadow_alpha(const Color& left, const Color& whole) {
   return all > 0.0f ? std::clamp(1.0f - relative_luminance(left) / all, 0.0f, 1.0f) : 0.0f;
 }
 
-void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas) {
+void draw(const PreparedScene& prepared, const Window& part, const Canvas& canvas) {
   if (prepared.quality.reference) return draw_reference(prepared, part, canvas);
   TileRenderer(prepared).draw(part, canvas);
 }
 
 void draw_pieces(
-    const PreparedScene& prepared, const Tile& part,
-    const std::function<void(const Tile& piece, const Framebuffer& framebuffer)>& drawn) {
+    const PreparedScene& prepared, const Window& part,
+    const std::function<void(const Window& piece, const Framebuffer& framebuffer)>& drawn) {
   TileRenderer renderer(prepared);
   RenderTarget target;
-  for (int y = part.y_begin; y < part.y_end; y += tile_size) {
-    for (int x = part.x_begin; x < part.x_end; x += piece_width) {
-      const Tile piece{x, std::min(x + piece_width, part.x_end), y,
-                       std::min(y + tile_size, part.y_end)};
+  for (int y = part.y; y < part.y_end(); y += tile_size) {
+    for (int x = part.x; x < part.x_end(); x += piece_width) {
+      const Window piece = intersection(part, {x, y, piece_width, tile_size});
       Framebuffer& framebuffer = target.color;
-      framebuffer.width = piece.x_end - piece.x_begin;
-      framebuffer.height = piece.y_end - piece.y_begin;
+      framebuffer.width = piece.width;
+      framebuffer.height = piece.height;
       framebuffer.channels.resize(3 * static_cast<std::size_t>(framebuffer.width) *
                                   static_cast<std::size_t>(framebuffer.height));
-      const Canvas canvas{target, piece.x_begin, piece.y_begin};
+      const Canvas canvas{target, piece.x, piece.y};
       prepared.quality.reference ? draw_reference(prepared, piece, canvas)
                                  : renderer.draw(piece, canvas);
       drawn(piece, framebuffer);

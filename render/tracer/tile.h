@@ -4,18 +4,12 @@
 #include <functional>
 
 #include "render/image/framebuffer.h"
+#include "render/image/window.h"
 #include "render/tracer/prepared_scene.h"
 
 namespace mien::render {
 
-/// Pixels [x_begin, x_end) × [y_begin, y_end): one tile or several adjacent ones.
-struct Tile {
-  int x_begin;
-  int x_end;
-  int y_begin;
-  int y_end;
-};
-
+/// Width and height of a tile, pixels.
 inline constexpr int tile_size = 16;
 
 /// The target of a part of a picture: pixel (x, y) of the picture is pixel (x − left, y − top) of
@@ -36,7 +30,7 @@ struct Canvas {
 /// Alpha of a shadow: the share of the luminance of the whole background that is missing.
 float shadow_alpha(const Color& left, const Color& whole);
 
-/// Renders the pixels of `part`, whose upper left corner lies on the grid of tiles. A pixel depends
+/// Renders the pixels of `part`, of one tile or several adjacent ones. A pixel depends
 /// on the prepared scene alone, not on the part that it is rendered with.
 ///
 /// The background (floor, backdrop and static solids) is known beforehand, except for pixels of
@@ -45,13 +39,13 @@ float shadow_alpha(const Color& left, const Color& whole);
 /// from reaching static solids and the floor is subtracted; shadow rays find it, for the sky on the
 /// floor at points of a grid (floor_sky.h) or, where that is too coarse, for each pixel. Pixels may
 /// share what such rays find (shared_occlusion.h).
-void draw(const PreparedScene& prepared, const Tile& part, const Canvas& canvas);
+void draw(const PreparedScene& prepared, const Window& part, const Canvas& canvas);
 
 /// As `draw`, but in small pieces, and only for pictures without alpha (Background::shown): `drawn`
 /// is called with each piece as soon as it is rendered, while its framebuffer is still in the
 /// processor's caches.
 void draw_pieces(
-    const PreparedScene& prepared, const Tile& part,
-    const std::function<void(const Tile& piece, const Framebuffer& framebuffer)>& drawn);
+    const PreparedScene& prepared, const Window& part,
+    const std::function<void(const Window& piece, const Framebuffer& framebuffer)>& drawn);
 
 }  // namespace mien::render

@@ -31,13 +31,6 @@ void check(const Quality& quality) {
     throw std::invalid_argument("quality: the shutter is not open for a share of 0 to 1");
 }
 
-/// The pixels of a tile that a window has, too.
-Window part_within(const Window& window, const Tile& tile) {
-  const int x = std::max(window.x, tile.x_begin), y = std::max(window.y, tile.y_begin);
-  return {x, y, std::min(window.x + window.width, tile.x_end) - x,
-          std::min(window.y + window.height, tile.y_end) - y};
-}
-
 Shapes shapes_of(const View& view) {
   return view.closing ? shapes_between(view.scene, *view.closing) : figure_shapes(view.scene);
 }
@@ -95,7 +88,7 @@ RenderTarget Tracer::draw(PreparedView ready) {
   if (prepared.quality.background != Background::shown)
     target.alpha.resize(target.color.channels.size() / 3);
   engine_->for_all_parts(camera.width, camera.height, window_of(camera),
-                         [&](const Tile& part) { render::draw(prepared, part, {target}); });
+                         [&](const Window& part) { render::draw(prepared, part, {target}); });
   if (!camera.window) return target;
   target.color = crop(target.color, *camera.window);
   if (!target.alpha.empty()) target.alpha = crop(target.alpha, camera.width, *camera.window);
@@ -109,11 +102,11 @@ void Tracer::draw(PreparedView ready, const OnRegion& take) {
   if (prepared.quality.background != Background::shown)
     throw std::logic_error("only a picture whose background is shown is drawn part by part");
   const Window window = window_of(view.camera);
-  engine_->for_all_parts(view.camera.width, view.camera.height, window, [&](const Tile& part) {
-    draw_pieces(prepared, part, [&](const Tile& piece, const Framebuffer& framebuffer) {
-      const Window shown = part_within(window, piece);
+  engine_->for_all_parts(view.camera.width, view.camera.height, window, [&](const Window& part) {
+    draw_pieces(prepared, part, [&](const Window& piece, const Framebuffer& framebuffer) {
+      const Window shown = intersection(window, piece);
       take({framebuffer,
-            {shown.x - piece.x_begin, shown.y - piece.y_begin, shown.width, shown.height},
+            {shown.x - piece.x, shown.y - piece.y, shown.width, shown.height},
             shown.x - window.x,
             shown.y - window.y});
     });
@@ -152,10 +145,9 @@ Layers Tracer::layers(const Scene& scene, const Camera& camera, const Quality& q
     shapes_between(scene, *next);  // throws when they do not match
     prepared.next_shapes = &later;
   }
-  const NextScene following{next, next_camera != nullptr ? *next_camera : sharp};
-  const bool moves = next != nullptr || next_camera != nullptr;
-  engine_->for_all_parts(sharp.width, sharp.height, window_of(sharp), [&](const Tile& part) {
-    draw_layers(prepared, moves ? &following : nullptr, part, layers);
+  const Camera* later_camera = next_camera == nullptr && next != nullptr ? &sharp : next_camera;
+  engine_->for_all_parts(sharp.width, sharp.height, window_of(sharp), [&](const Window& part) {
+    draw_layers(prepared, next, later_camera, part, layers);
   });
   if (sharp.window) layers = crop(std::move(layers), *sharp.window);
   layers.beauty = trace(scene, sharp, quality);
