@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -69,6 +70,11 @@ std::size_t judged_stimuli(const AnswerSet& answer_set) {
   return std::max(judged.size(), in_words.size());
 }
 
+/// "−2", "0.5"
+std::string scale_value(double value) {
+  return fmt::format("{}{:g}", value < 0.0 ? "−" : "", std::abs(value));
+}
+
 /// What a unit of the ratings is, if all scales have the same range.
 std::string units_html(const AnswerSet& answer_set) {
   if (answer_set.ratings.empty()) return "";
@@ -81,7 +87,7 @@ std::string units_html(const AnswerSet& answer_set) {
   return fmt::format(
       "<p class=\"quiet\">Ratings are in scale units: {} at the low end, {} at the high end. "
       "{}.</p>\n",
-      fmt::format("{:g}", first.least), fmt::format("{:g}", first.most),
+      scale_value(first.least), scale_value(first.most),
       answer_set.form->is_continuous ? "Those of a trial are the mean of its trace after the lead"
       : answer_set.is_slider         ? fmt::format("A slider’s length is {:g} units", range)
                              : fmt::format("Neighbouring points of the {} shown differ by {:.3g}",

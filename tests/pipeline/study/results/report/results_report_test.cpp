@@ -390,6 +390,12 @@ TEST(ResultsReport, ExplainsChoicesAsChoices) {
   EXPECT_EQ(page.find("lme4"), std::string::npos);
 }
 
+TEST(ResultsReport, StatesTheEndsOfScalesWithAMinusSign) {
+  const auto report = written_report(reported_study());
+  EXPECT_NE(report.at("report.html").find("−2 at the low end, 2 at the high end"),
+            std::string::npos);
+}
+
 TEST(ResultsReport, CountsOnePersonAsOne) {
   const Manifest manifest = two_emotion_study(1);
   const std::string page = report_on(manifest, answers_to(manifest)).at("report.html");
