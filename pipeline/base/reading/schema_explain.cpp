@@ -112,8 +112,11 @@ class Explainer {
   Explainer(const json& value, SchemaNode node, const std::vector<const json*>& branches,
             const std::string& path, const Places& places)
       : value_(value), schema_(node), node_(*node.node), path_(path), places_(places) {
-    for (const json* branch : branches)
-      if (branch != node.node) or_else_ += ", or " + named_branch(*branch);
+    for (const json* branch : branches) {
+      if (branch == node.node) continue;
+      or_else_ += ", or " + named_branch(*branch);
+      if (branch->contains("properties")) maps_.push_back(&(*branch)["properties"]);
+    }
   }
 
   std::vector<Fault> faults() {
@@ -140,6 +143,11 @@ class Explainer {
         (type == "number" && value_.is_number()) || (type == "boolean" && value_.is_boolean()) ||
         (type == "array" && value_.is_array()) || (type == "object" && value_.is_object());
     if (right) return false;
+    if (type == "string" && node_.contains("enum") && value_.is_primitive() && !value_.is_null() &&
+        !is_unquoted_choice()) {
+      explain_choice();
+      return true;
+    }
     std::string remedy = example_of(node_);
     if (type == "boolean") remedy = "write true or false";
     if (type == "string" && value_.is_primitive() && !value_.is_null())
@@ -147,6 +155,12 @@ class Explainer {
                                         : "put it in quotes: \"" + shown(value_) + "\"";
     add("must be " + named(type) + " but is " + described(value_), remedy);
     return true;
+  }
+
+  /// Whether a number or truth value would be one of the choices if it were in quotes.
+  bool is_unquoted_choice() const {
+    const std::vector<std::string> words = words_of_choices(node_);
+    return std::ranges::find(words, shown(value_)) != words.end();
   }
 
   /// Whether no branch of a union of types takes the value.
@@ -190,8 +204,14 @@ class Explainer {
     }
   }
 
-  /// The schema's hint (x-otherwise) on the intention behind a text that is not one of the choices.
+  /// A hint on the intention behind a text that is not one of the choices: a map whose colon YAML
+  /// does not see, or what the schema says (x-otherwise).
   std::string otherwise(const std::string& word) const {
+    const std::size_t colon = word.find(':');
+    const std::string key = word.substr(0, colon);
+    if (colon != std::string::npos &&
+        std::ranges::any_of(maps_, [&](const json* map) { return map->contains(key); }))
+      return "; write {" + key + ": " + word.substr(colon + 1) + "}, with a space after the colon";
     if (!node_.contains("x-otherwise")) return "";
     std::string hint = "; " + node_["x-otherwise"].get<std::string>();
     constexpr std::string_view blank = "…";
@@ -300,6 +320,7 @@ class Explainer {
   const std::string& path_;
   const Places& places_;
   std::string or_else_;  ///< ", or a whole number from 0 to 1000": what other branches take
+  std::vector<const json*> maps_;  ///< keys of the other branches
   std::vector<Fault> faults_;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/text/excerpt.h"
+#include "motion/text/nearest_word.h"
 #include "pipeline/base/documents/environment.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/reading/field_reader.h"
@@ -43,6 +44,12 @@ void check_face_word(const std::string& face) {
   std::error_code unknown;
   const bool has_colon = face.find(':') != std::string::npos;
   if (std::filesystem::exists(face, unknown) || (is_face_file(face) && !has_colon)) return;
+  const std::vector<std::string> words{"neutral", "hidden"};
+  if (motion::nearest_word(face, words))
+    throw Faults({{{},
+                   "--face",
+                   motion::in_quotes(face) + " is neither neutral nor hidden",
+                   motion::did_you_mean(face, words)}});
   const std::string name = face.substr(0, face.find(':'));
   throw Faults({{{},
                  "--face",

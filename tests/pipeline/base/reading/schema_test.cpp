@@ -103,6 +103,9 @@ TEST(Schema, FindsWordsForEveryRule) {
       "r": {"oneOf": [{"type": "string", "enum": ["counted", "none"]},
                       {"type": "integer", "minimum": 0, "maximum": 9}]},
       "w": {"oneOf": [{"type": "string", "enum": ["auto"]}, {"type": "number", "minimum": 2}]},
+      "m": {"oneOf": [{"type": "string", "enum": ["red"], "x-otherwise": "for others write {…}"},
+                      {"type": "object", "properties": {"rgb": {"type": "string"}}}]},
+      "y": {"type": "string", "enum": ["true", "other"]},
       "u": {"oneOf": [{"type": "string"}, {"type": "object", "required": ["k"]}]},
       "o": {"type": "object", "oneOf": [{"required": ["x"]}, {"required": ["y"]}]}
     }})");
@@ -129,6 +132,15 @@ TEST(Schema, FindsWordsForEveryRule) {
       told({{"n", 1}, {"f", "#00ff00"}}),
       "f: \"#00ff00\" is not one of the choices; use one of red, blue; for others write {rgb: "
       "#00ff00}");
+  EXPECT_EQ(told({{"n", 1}, {"e", 2}}), "e: 2 is not one of the choices; use one of red, green");
+  EXPECT_EQ(told({{"n", 1}, {"y", true}}),
+            "y: must be text but is true; put it in quotes: \"true\"");
+  EXPECT_EQ(told({{"n", 1}, {"m", "rgb:ff0000"}}),
+            "m: \"rgb:ff0000\" is not one of the choices; use red, or a map of keys and values; "
+            "write {rgb: ff0000}, with a space after the colon");
+  EXPECT_EQ(told({{"n", 1}, {"m", "rgba:ff"}}),
+            "m: \"rgba:ff\" is not one of the choices; use red, or a map of keys and values; for "
+            "others write {rgba:ff}");
   EXPECT_EQ(told({{"n", 1}, {"a", json::array()}}),
             "a: has 0 elements but must have at least 1; add elements");
   EXPECT_EQ(told({{"n", 1}, {"a", {true, 1}}}),

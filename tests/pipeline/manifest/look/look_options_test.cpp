@@ -183,6 +183,8 @@ TEST(LookOptions, TakeAFaceAsAWordWeightsOrAFile) {
   EXPECT_EQ(faults_of_face("smile"),
             "--face: \"smile\" is neither neutral, hidden, weights nor a file; write weights as "
             "\"smile: 0.5\", or give a file of weights with its ending (.csv, .npz, .glb)");
+  EXPECT_EQ(faults_of_face("hiden"),
+            "--face: \"hiden\" is neither neutral nor hidden; did you mean \"hidden\"?");
   EXPECT_EQ(faults_of_face("one:0.5"),
             "--face: \"one:0.5\" is neither neutral, hidden, weights nor a file; write weights as "
             "\"one: 0.5\", or give a file of weights with its ending (.csv, .npz, .glb)");
