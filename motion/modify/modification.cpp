@@ -370,8 +370,11 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   if (reference.frame_count() > 1)
     report.tempo = original.duration_seconds() / reference.duration_seconds();
   report.plants = static_cast<int>(plants.size());
-  report.drift_before_repair = planted_drift(with_root_of(done.posed, reference), stands);
-  report.drift_after_repair = planted_drift(repaired, stands);
+  // Feet that are not repaired slide, too.
+  const std::vector<FootPlant> stood =
+      in_time(m.repair == FootRepair::none && contacts.empty() ? foot_plants(original) : contacts);
+  report.drift_before_repair = planted_drift(with_root_of(done.posed, reference), stood);
+  report.drift_after_repair = planted_drift(repaired, stood);
   if (travels(original)) report.travel_ratio = way(repaired) / way(original);
   const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
   write_remarks(report, m, in_its_place);

@@ -12,6 +12,8 @@
 #include "motion/animate/keys.h"
 #include "motion/animate/motion_ends.h"
 #include "motion/formats/motion_file.h"
+#include "motion/gait/contact.h"
+#include "motion/gait/foot_lock.h"
 #include "motion/lint/lint.h"
 #include "motion/modify/modified_example.h"
 #include "motion/rig/recording_clip.h"
@@ -68,7 +70,7 @@ void take_step(ModifiedMotion& result, const ModificationStep& step,
       motion::modified_example(result.motion, asked, std::move(result.times));
   result.motion = std::move(modified.example);
   result.times = std::move(modified.times);
-  result.planted_drift_m = modified.report.drift_after_repair;
+  if (!motion::is_identity(asked)) result.planted_drift_m = modified.report.drift_after_repair;
   for (std::string& remark : modified.report.remarks) result.notes.push_back(std::move(remark));
 }
 
@@ -79,6 +81,7 @@ struct Steps {
   std::vector<motion::Modification> modifications;
   motion::Clip shown_original;       ///< at the output's frame rate
   const std::vector<double>& times;  ///< of the original, moved with it
+  double planted_drift_m;            ///< of the original
 };
 
 motion::Clip at_rate(const motion::Clip& clip, double frames_per_second) {
@@ -104,6 +107,18 @@ void animate(ModifiedMotion& result, const ModificationStep& step) {
     if (!result.motion.keytimes.empty())
       result.motion.keytimes.back() = result.motion.clip.duration_seconds();
   }
+}
+
+/// As `animate`, and measures how much farther planted feet drift by it.
+void animate_and_measure(ModifiedMotion& result, const ModificationStep& step) {
+  const bool has_feet = motion::is_body(result.motion.clip.body);
+  std::vector<motion::FootPlant> plants;
+  if (has_feet) plants = motion::foot_plants(result.motion.clip);
+  const double before = motion::planted_drift(result.motion.clip, plants);
+  animate(result, step);
+  if (step.ends.loops && has_feet) plants = motion::foot_plants(result.motion.clip);
+  const double after = motion::planted_drift(result.motion.clip, plants);
+  result.planted_drift_m += std::max(0.0, after - before);
 }
 
 /// The poses that the last step holds at the ends. They come after the lint, because they are no
@@ -138,14 +153,15 @@ void omit_frozen(std::vector<motion::Finding>& findings, const motion::Freezing&
 
 /// Everything at a share of the requested strengths.
 ModifiedMotion at_share(const motion::Example& original, const Steps& steps, double share) {
-  ModifiedMotion result{original, share};
+  ModifiedMotion result{original, share, steps.planted_drift_m};
   result.times = steps.times;
   for (std::size_t i = 0; i < steps.modifications.size(); ++i) {
     take_step(result, steps.stimulus.modify[i], steps.modifications[i], share, steps.repertoire);
   }
   // Last, so that a change does the same whatever the rate at which it is shown.
   result.motion.clip = at_rate(result.motion.clip, steps.stimulus.output.fps);
-  if (share > 0.0 && !steps.stimulus.modify.empty()) animate(result, steps.stimulus.modify.back());
+  if (share > 0.0 && !steps.stimulus.modify.empty())
+    animate_and_measure(result, steps.stimulus.modify.back());
   result.findings = motion::lint(result.motion.clip, {}, &steps.shown_original);
   if (steps.stimulus.modify.empty()) return result;
   const ModificationStep& last = steps.stimulus.modify.back();
@@ -290,9 +306,14 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
 }
 
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
-                             const Repertoire& repertoire, const std::vector<double>& times) {
-  const Steps steps{stimulus, repertoire, modifications_of(stimulus, repertoire),
-                    at_rate(original.clip, stimulus.output.fps), times};
+                             const Repertoire& repertoire, const std::vector<double>& times,
+                             double planted_drift_m) {
+  const Steps steps{stimulus,
+                    repertoire,
+                    modifications_of(stimulus, repertoire),
+                    at_rate(original.clip, stimulus.output.fps),
+                    times,
+                    planted_drift_m};
   ModifiedMotion whole = at_share(original, steps, 1.0);
   if (!motion::has_errors(whole.findings)) return whole;
   const Breakage own = broken_before(steps.shown_original);

@@ -16,7 +16,9 @@ struct ModifiedMotion {
   motion::Example motion;
   /// Applied share of the requested strengths; below 1 if reduced, 0 if reverted.
   double share = 1.0;
-  double planted_drift_m = 0.0;  ///< largest drift of a foot planted in the original, metres
+  /// Largest drift of a foot planted in the original, metres; that which keys, constraints, drives,
+  /// frozen parts and a closed loop add is added.
+  double planted_drift_m = 0.0;
   /// Lint findings of the result compared with the original.
   std::vector<motion::Finding> findings;
   std::vector<std::string> notes;     ///< remarks about the steps, plain sentences
@@ -34,9 +36,11 @@ std::vector<motion::Modification> modifications_of(const Stimulus& stimulus,
 /// are new, or more than 1.5 times as large as in the original, are treated as `on_fault` says,
 /// which is reported in the warnings. The result has the output's frame rate. Throws Error if a
 /// pose or style is not available and, with `on_fault: fail`, if there are such errors. `times` are
-/// times of the original, seconds, that are moved with it (ModifiedMotion::times).
+/// times of the original, seconds, that are moved with it (ModifiedMotion::times), and
+/// `planted_drift_m` is how far planted feet drift in it.
 ModifiedMotion modify_motion(const motion::Example& original, const Stimulus& stimulus,
-                             const Repertoire& repertoire, const std::vector<double>& times = {});
+                             const Repertoire& repertoire, const std::vector<double>& times = {},
+                             double planted_drift_m = 0.0);
 
 /// Returns the errors that lint found in a modified motion and the original, at the same frame
 /// rate, does not have, or that are more than 1.5 times as large as in it.

@@ -279,7 +279,8 @@ void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
                          Synthesis& synthesis) {
   std::vector<double> times;
   for (const ShownMood& mood : synthesis.moods) times.push_back(mood.from_s);
-  ModifiedMotion modified = modify_motion(synthesis.motion, stimulus, repertoire, times);
+  ModifiedMotion modified =
+      modify_motion(synthesis.motion, stimulus, repertoire, times, synthesis.planted_drift_m);
   for (std::size_t i = 0; i < times.size(); ++i) synthesis.moods[i].from_s = modified.times[i];
   synthesis.motion = std::move(modified.motion);
   synthesis.planted_drift_m = modified.planted_drift_m;

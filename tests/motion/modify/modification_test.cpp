@@ -243,6 +243,17 @@ TEST(Modification, LetsFeetStandOfSyntheticWalks) {
   }
 }
 
+TEST(Modification, StatesHowFarFeetSlideThatAreNotRepaired) {
+  Modification m = recipe(1.4, 0.0);
+  m.repair = FootRepair::none;
+  for (const Clip& clip : synthetic_walks()) {
+    const ModificationReport report = modify(clip, m).report;
+    EXPECT_EQ(report.plants, 0) << clip.name;
+    EXPECT_GT(report.drift_after_repair, 0.01) << clip.name;
+    EXPECT_DOUBLE_EQ(report.drift_after_repair, report.drift_before_repair) << clip.name;
+  }
+}
+
 TEST(Modification, WalksFartherWithLongerPaths) {
   const Clip clip = walk({}, 100.0, standard_body()).clip;
   double before = 0.0;

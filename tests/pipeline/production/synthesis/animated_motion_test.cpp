@@ -96,6 +96,27 @@ TEST(AnimatedMotion, HasFrozenPartsThatAreNoFault) {
   EXPECT_EQ(std::ranges::count(others, "RightWrist"), 1);
 }
 
+TEST(AnimatedMotion, StatesHowFarPlantedFeetDriftInWhatIsDelivered) {
+  constexpr double own = 0.012;  // of the original
+  const motion::Example walk = settled_walk();
+  const auto drift_with = [&](const ModificationStep& step, OnFault on_fault = OnFault::warn) {
+    Stimulus stimulus;
+    stimulus.id = "s";
+    stimulus.on_fault = on_fault;
+    stimulus.output.fps = walk.clip.frames_per_second;
+    stimulus.modify = {step};
+    return modify_motion(walk, stimulus, {}, {}, own).planted_drift_m;
+  };
+  // Feet that nothing touches drift as before.
+  EXPECT_DOUBLE_EQ(drift_with({.ends = {.hold_before = 0.5}}), own);
+  EXPECT_NEAR(drift_with({.freeze = {.parts = {motion::FrozenPart::left_arm}}}), own, 1e-6);
+  EXPECT_DOUBLE_EQ(drift_with(animated(85.0, 30.0).modify[0], OnFault::revert), own);
+  // Legs that do not step are dragged along by the walk.
+  EXPECT_GT(drift_with({.freeze = {.parts = {motion::FrozenPart::legs}}}), 0.2);
+  // The repair of a modification locks feet.
+  EXPECT_LT(drift_with(animated(5.0, 30.0).modify[0]), 0.002);
+}
+
 TEST(AnimatedMotion, HoldsItsEndsWithoutFault) {
   Stimulus stimulus;
   stimulus.id = "s";
