@@ -63,6 +63,7 @@ double slide_of(const std::vector<Supports>& supports, const FootPlant& plant) {
 double planted_slide(const Clip& clip, const std::vector<FootPlant>& plants) {
   double largest = 0.0;
   if (plants.empty()) return largest;
+  if (clip.loops) return planted_slide(repeated(clip, 2), plants);
   const std::vector<Supports> left = supports_of(clip, true);
   const std::vector<Supports> right = supports_of(clip, false);
   for (const FootPlant& plant : plants) {

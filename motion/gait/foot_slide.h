@@ -8,7 +8,7 @@
 namespace mien::motion {
 
 /// The horizontal distance by which a foot slides on the floor while planted, metres; maximum over
-/// all plants. The clip must not loop.
+/// all plants. In a looping clip, plants may continue in the next cycle.
 ///
 /// Slip is measured at the points of contact: the edge of the heel, the ball (under the toe joint)
 /// and the tip of the toes, each while it is within 5 mm of the lowest point of the foot during the

@@ -13,7 +13,7 @@
 #include "motion/animate/motion_ends.h"
 #include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
-#include "motion/gait/foot_lock.h"
+#include "motion/gait/foot_slide.h"
 #include "motion/lint/lint.h"
 #include "motion/modify/modified_example.h"
 #include "motion/rig/recording_clip.h"
@@ -109,15 +109,13 @@ void animate(ModifiedMotion& result, const ModificationStep& step) {
   }
 }
 
-/// As `animate`, and measures how much farther planted feet drift by it.
+/// As `animate`, and measures how much farther planted feet slide by it.
 void animate_and_measure(ModifiedMotion& result, const ModificationStep& step) {
-  const bool has_feet = motion::is_body(result.motion.clip.body);
   std::vector<motion::FootPlant> plants;
-  if (has_feet) plants = motion::foot_plants(result.motion.clip);
-  const double before = motion::planted_drift(result.motion.clip, plants);
+  if (motion::is_body(result.motion.clip.body)) plants = motion::foot_plants(result.motion.clip);
+  const double before = motion::planted_slide(result.motion.clip, plants);
   animate(result, step);
-  if (step.ends.loops && has_feet) plants = motion::foot_plants(result.motion.clip);
-  const double after = motion::planted_drift(result.motion.clip, plants);
+  const double after = motion::planted_slide(result.motion.clip, plants);
   result.planted_drift_m += std::max(0.0, after - before);
 }
 

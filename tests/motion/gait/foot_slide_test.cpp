@@ -57,6 +57,15 @@ TEST_F(OneFoot, ThatRollsOnItsHeelsEdgeDoesNotSlide) {
   EXPECT_GT(planted_drift(clip_, {{true, 0, 9}}, whole), 0.004);
 }
 
+/// Ten frames of 1 cm each; the plant begins in one cycle and ends in the next.
+TEST_F(OneFoot, ThatIsPushedInALoopSlidesOnInTheNextCycle) {
+  for (std::size_t f = 0; f < clip_.poses.size(); ++f)
+    clip_.poses[f].root_position.x() += 0.01 * static_cast<double>(f);
+  clip_.loops = true;
+  clip_.cycle_displacement = Vec3(0.1, 0.0, 0.0);
+  EXPECT_NEAR(planted_slide(clip_, {{true, 5, 14}}), 0.09, 1e-9);
+}
+
 TEST_F(OneFoot, ThatIsPushedSlidesByAsMuch) {
   for (std::size_t f = 0; f < clip_.poses.size(); ++f)
     clip_.poses[f].root_position.x() += 0.001 * static_cast<double>(f);
