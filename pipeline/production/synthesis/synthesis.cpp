@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -275,13 +277,36 @@ Synthesis unmodified(const Stimulus& stimulus, const Repertoire& repertoire) {
                       stimulus.interpolation, repertoire);
 }
 
+/// Adds the findings about recorded points that are far from the fitted body.
+void add_fit_residuals(Synthesis& synthesis) {
+  if (!synthesis.fit) return;
+  for (motion::Finding& finding :
+       motion::find_fit_residuals(*synthesis.fit, synthesis.motion.clip, synthesis.clip_start_s))
+    synthesis.findings.push_back(std::move(finding));
+}
+
+/// `synthesis` has only findings that concern the recording; they come after those of the result.
 void apply_modifications(const Stimulus& stimulus, const Repertoire& repertoire,
                          Synthesis& synthesis) {
   std::vector<double> times;
   for (const ShownMood& mood : synthesis.moods) times.push_back(mood.from_s);
+  const double recorded_rate = synthesis.motion.clip.frames_per_second;
+  for (const motion::Finding& finding : synthesis.findings)
+    times.insert(times.end(), {finding.first / recorded_rate, finding.last / recorded_rate});
   ModifiedMotion modified =
       modify_motion(synthesis.motion, stimulus, repertoire, times, synthesis.planted_drift_m);
-  for (std::size_t i = 0; i < times.size(); ++i) synthesis.moods[i].from_s = modified.times[i];
+  auto moved = modified.times.begin();
+  for (ShownMood& mood : synthesis.moods) mood.from_s = *moved++;
+  const motion::Clip& clip = modified.motion.clip;
+  const auto frame_at = [&](double seconds) {
+    return std::clamp(static_cast<int>(std::lround(seconds * clip.frames_per_second)), 0,
+                      clip.frame_count() - 1);
+  };
+  for (motion::Finding& finding : synthesis.findings) {
+    finding.first = frame_at(*moved++);
+    finding.last = frame_at(*moved++);
+    modified.findings.push_back(std::move(finding));
+  }
   synthesis.motion = std::move(modified.motion);
   synthesis.planted_drift_m = modified.planted_drift_m;
   synthesis.modified = described_modifications(stimulus);
@@ -320,16 +345,9 @@ Synthesis synthesize(const Stimulus& stimulus, const Repertoire& repertoire) {
   result.motion.name = stimulus.id;
   result.motion.clip.name = stimulus.id;
   warn_of_default_takes(stimulus, result.warnings);
-  if (stimulus.modify.empty()) {
-    result.findings = motion::lint(result.motion.clip);
-  } else {
-    apply_modifications(stimulus, repertoire, result);
-  }
-  if (result.fit) {
-    for (motion::Finding& finding :
-         motion::find_fit_residuals(*result.fit, result.motion.clip, result.clip_start_s))
-      result.findings.push_back(std::move(finding));
-  }
+  if (stimulus.modify.empty()) result.findings = motion::lint(result.motion.clip);
+  add_fit_residuals(result);
+  if (!stimulus.modify.empty()) apply_modifications(stimulus, repertoire, result);
   return result;
 }
 

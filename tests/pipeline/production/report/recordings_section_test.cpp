@@ -1,7 +1,9 @@
 #include "pipeline/production/report/recordings_section.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -111,6 +113,27 @@ TEST_F(RecordingsSection, IsInTheLintOfTheStimulus) {
   ASSERT_NE(found, findings.end());
   EXPECT_EQ(found->check, "fit-residual");
   EXPECT_TRUE(has(findings_table.csv(study, motions), "a,fit-residual,warning,LFIN,"));
+}
+
+TEST_F(RecordingsSection, IsInTheLintAtTheTimesOfTheModifiedMotion) {
+  const fs::path file = folder.path() / "m.yaml";
+  write_file(file,
+             "mien: 1\nstudy: s\noutput: {fps: 60}\non_fault: warn\nstimuli:\n"
+             "  - {id: a, clip: {file: walk.trc, frames: [10, 80]}}\n"
+             "  - {id: b, clip: {file: walk.trc, frames: [10, 80]}, modify: {tempo: 0.5, ends: "
+             "{before: 1}}}\n");
+  const Manifest study = load_manifest(file, [](const std::string&) { return std::nullopt; });
+  Motions motions(study);
+  const auto frames = [&](const char* id) {
+    const auto& findings = motions.of(id).findings;
+    const auto found = std::ranges::find(findings, "LFIN", &motion::Finding::joint);
+    if (found == findings.end()) throw std::runtime_error("no finding about LFIN");
+    return std::pair(found->first, found->last);
+  };
+  const auto [first, last] = frames("a");
+  ASSERT_GT(last - first, 20);
+  EXPECT_NEAR(frames("b").first, 60 + 2 * first, 2);
+  EXPECT_NEAR(frames("b").second, 60 + 2 * last, 2);
 }
 
 TEST_F(RecordingsSection, SaysUnderWhichLicence) {
