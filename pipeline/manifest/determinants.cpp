@@ -106,7 +106,9 @@ void add_interpolation(KeyBuilder& key, const Interpolation& how) {
 }
 
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
-  add_fields(key, "", stimulus, concerns::picture, files);
+  Stimulus shown = stimulus;
+  if (shown.look.colours == Colours::neutral) shown.role = Stimulus().role;
+  add_fields(key, "", shown, concerns::picture, files);
   add_set(key, stimulus.look.set);
   for (const Person& person : stimulus.people) {
     if (!person.figure) continue;
@@ -119,10 +121,8 @@ void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files) {
 }
 
 void add_page(KeyBuilder& key, const Manifest& manifest) {
-  const WritingOptions how{.for_key = true, .concerned = concerns::page};
-  for (const FieldEntry& entry : entries_of(manifest, how)) key.add(entry.path, entry.value.dump());
-  if (name_language(manifest) != NameLanguage::english)
-    key.add("names", std::string(word_of(name_language_words, name_language(manifest))));
+  for (const FieldEntry& entry : entries_of(manifest, {.for_key = true}))
+    key.add(entry.path, entry.value.dump());
   for (const Stimulus& stimulus : manifest.stimuli) {
     for (const auto& [factor, level] : stimulus.factors)
       key.add("factor", factor).add("level", level);
@@ -143,6 +143,7 @@ void add_sound(KeyBuilder& key, const Stimulus& stimulus, const Equalize& equali
       .add("sound offset", sound.offset)
       .add("sound gain", sound.gain)
       .add("sound length", name_of(sound.length))
+      .add("sound of", sound.of)
       .add("sound libraries", render::sound_libraries());
   if (equalize.loudness) key.add("loudness", *equalize.loudness);
 }

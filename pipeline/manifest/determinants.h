@@ -24,15 +24,17 @@ void add_motion(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 /// Adds the interpolation settings.
 void add_interpolation(KeyBuilder& key, const Interpolation& how);
 
-/// Adds the settings by which a shot is staged and rendered, without the motion.
+/// Adds the settings by which a shot is staged and rendered, without the motion. The role is one of
+/// them where its colour shows.
 void add_film(KeyBuilder& key, const Stimulus& stimulus, FileKeys& files);
 
-/// Adds the values of the settings that affect only tables and pages. (The text of the manifest is
-/// not enough, since it may take values from environment variables.)
+/// Adds the values of all settings, with what is stated about recordings, for tables and pages.
+/// (The text of the manifest is not enough, since it may take values from environment variables.)
 void add_page(KeyBuilder& key, const Manifest& manifest);
 
 /// Adds what is heard in a video, if it has a sound: the file's content, how it is placed, the
-/// target of equalized loudness, and the libraries that only sound needs.
+/// stimulus that states it, the target of equalized loudness, and the libraries that only sound
+/// needs.
 void add_sound(KeyBuilder& key, const Stimulus& stimulus, const Equalize& equalize,
                FileKeys& files);
 

@@ -158,7 +158,6 @@ void fields_of(auto&& field, MaybeConst<Manifest> auto& manifest) {
   field.by("equalize", manifest.equalize, concerns::picture, EqualizeForm());
   field("regression", manifest.regression, concerns::nothing);
   field("design", manifest.design, concerns::page);
-  // In the key of pages only where it is set: pages of earlier manifests keep theirs.
   field("names", manifest.names, concerns::nothing, name_language_words);
   field.each("stimuli", manifest.stimuli, concerns::nothing,
              [&] { return plain_stimulus(manifest); });

@@ -37,12 +37,14 @@ void put_page(TaskRun& run, std::size_t product, const std::string& text) {
 
 }  // namespace
 
-Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph) {
+Hash study_key(const Manifest& manifest, const std::vector<fs::path>& documents,
+               const SharedDeterminants& shared, const TaskGraph& graph) {
   KeyBuilder key;
   key.add("libraries", shared.libraries).add("repertoire", shared.repertoire);
   key.add("code", study_code());
   key.add("manifest", shared.files.of(manifest.file));
   key.add("command", manifest.command);
+  for (const fs::path& document : documents) key.add("document", shared.files.of(document));
   add_page(key, manifest);
   key.add("made of", key_of(graph));
   return key.key();

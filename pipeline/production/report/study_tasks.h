@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "pipeline/base/documents/table.h"
@@ -13,9 +14,11 @@ namespace mien::pipeline {
 // Tasks that cover a study as a whole. `motions` and `manifest` must outlive them.
 
 /// Returns the key on which these tasks depend. It covers the manifest's own text, because ids,
-/// roles and comparisons appear in tables and report, and the tasks of `graph`, which stand for the
-/// inputs of all motions and films.
-Hash study_key(const Manifest& manifest, const SharedDeterminants& shared, const TaskGraph& graph);
+/// roles and comparisons appear in tables and report, the contents of `documents`, the files that
+/// it names besides motions and characters, and the tasks of `graph`, which stand for the inputs of
+/// all motions and films.
+Hash study_key(const Manifest& manifest, const std::vector<std::filesystem::path>& documents,
+               const SharedDeterminants& shared, const TaskGraph& graph);
 
 /// Returns the forms of the tables of the task "tables".
 std::vector<TableForm> study_table_forms();

@@ -202,7 +202,9 @@ void Production::add_sheets(const SharedDeterminants& shared) {
 
 /// What covers the whole study.
 void Production::add_study(const SharedDeterminants& shared) {
-  const Hash study = study_key(manifest_, shared, graph_);
+  std::vector<fs::path> documents;
+  for (const InputCopy& copy : input_copies(manifest_)) documents.push_back(copy.source);
+  const Hash study = study_key(manifest_, documents, shared, graph_);
   graph_.add(tables_task(manifest_, motions_, study));
   graph_.add(films_task(manifest_, shared));
   graph_.add(design_task(manifest_, motions_, study, graph_));

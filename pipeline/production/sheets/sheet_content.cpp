@@ -114,16 +114,6 @@ std::string drawn(Canvas& canvas, const GalleryContent& content) {
   return canvas.finish();
 }
 
-std::string origin_of(const std::string& name, Motions& motions) {
-  const Stimulus* stimulus = motions.stimulus(name);
-  if (stimulus == nullptr) return "example";
-  if (stimulus->clip) return "as captured";
-  if (stimulus->walk) return "along a path";
-  if (!stimulus->features.empty()) return "from features";
-  if (!stimulus->adjectives.empty()) return "from adjectives";
-  return stimulus->weights.size() == 1 ? stimulus->weights.front().first : "from weights";
-}
-
 SheetMotion sheet_motion(const std::string& name, Motions& motions) {
   const Synthesis& synthesis = motions.of(name);
   SheetMotion result{name, origin_of(name, motions), synthesis.motion, {}};
@@ -218,6 +208,16 @@ MotionColours colours_of(const Stimulus* stimulus) {
 }
 
 }  // namespace
+
+std::string origin_of(const std::string& name, const Motions& motions) {
+  const Stimulus* stimulus = motions.stimulus(name);
+  if (stimulus == nullptr) return "example";
+  if (stimulus->clip) return "as captured";
+  if (stimulus->walk) return "along a path";
+  if (!stimulus->features.empty()) return "from features";
+  if (!stimulus->adjectives.empty()) return "from adjectives";
+  return stimulus->weights.size() == 1 ? stimulus->weights.front().first : "from weights";
+}
 
 std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest) {
   return {{"mien", std::string(program_version())},

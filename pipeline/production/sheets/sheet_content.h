@@ -32,6 +32,10 @@ std::string gallery_as_png(const GalleryContent& content);
 /// Returns the provenance printed on every sheet: ("seed", "7"), …
 std::vector<std::pair<std::string, std::string>> provenance_of(const Manifest& manifest);
 
+/// Returns the source of a motion as sheets state it: "from adjectives", "example". The motion is
+/// not made.
+std::string origin_of(const std::string& name, const Motions& motions);
+
 /// Returns the content of a comparison sheet of the manifest: makes its motions and measures their
 /// distance.
 SheetContent sheet_content(const Sheet& sheet, const Manifest& manifest, Motions& motions);

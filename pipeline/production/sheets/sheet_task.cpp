@@ -26,6 +26,11 @@ void verify_pdf(const fs::path& file) {
 
 }  // namespace
 
+void add_printed(KeyBuilder& key, const Manifest& manifest) {
+  key.add("study", manifest.study);
+  for (const auto& [name, value] : provenance_of(manifest)) key.add(name, value);
+}
+
 std::vector<Product> sheet_products(const Sheet& sheet) {
   return {{"sheets/" + sheet.id + ".pdf", {}}, {"sheets/" + sheet.id + ".png", {}}};
 }
@@ -42,13 +47,16 @@ Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterm
   task.kind = "sheet";
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", sheet_code());
-  task.determinants.add("study", manifest.study).add("manifest", manifest.file.filename().string());
+  add_printed(task.determinants, manifest);
+  const bool is_gallery = !sheet.gallery.empty();
+  task.determinants.add("kind of sheet", is_gallery ? "gallery" : "comparison")
+      .add("names", word_of(name_language_words, name_language(manifest)));
   bool uses_examples = false;
   for (const std::string& name : motions_on(sheet)) {
-    task.determinants.add("motion", name);
+    task.determinants.add("motion", name).add("from", origin_of(name, motions));
     const Stimulus* stimulus = motions.stimulus(name);
     if (stimulus != nullptr) {
-      task.determinants.add("role", name_of(stimulus->role));  // its colour
+      if (is_gallery) task.determinants.add("role", name_of(stimulus->role));  // its colour
       task.inputs.push_back("motion:" + name);
     }
     uses_examples = uses_examples || stimulus == nullptr || is_blend(*stimulus);

@@ -15,6 +15,9 @@ namespace mien::pipeline {
 Task sheet_task(const Sheet& sheet, const Manifest& manifest, const SharedDeterminants& shared,
                 Motions& motions);
 
+/// Adds what every sheet states about its study.
+void add_printed(KeyBuilder& key, const Manifest& manifest);
+
 /// Returns the artifacts of a sheet's task: sheets/<id>.pdf and sheets/<id>.png, in this order.
 std::vector<Product> sheet_products(const Sheet& sheet);
 

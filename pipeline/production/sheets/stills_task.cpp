@@ -51,10 +51,8 @@ Task stills_task(const Sheet& sheet, const Manifest& manifest, const FilmSetting
   task.kind = "sheet";
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", sheet_code());
-  task.determinants.add("seed", static_cast<std::int64_t>(settings.seed))
-      .add("study", manifest.study)
-      .add("manifest", manifest.file.filename().string())
-      .add("columns", std::int64_t{sheet.columns})
+  add_printed(task.determinants, manifest);
+  task.determinants.add("columns", std::int64_t{sheet.columns})
       .add("duration", std::int64_t{manifest.equalize.duration});
   for (const std::string& id : sheet.stills) {
     for (const Stimulus* motion : motions_in(*motions.stimulus(id)))

@@ -48,8 +48,12 @@ Task durations_task(const Manifest& manifest, const SharedDeterminants& shared, 
   task.id = task.kind = durations_task_id;
   task.determinants.add("libraries", shared.libraries);
   task.determinants.add("code", motion_code());
-  for (const Stimulus* motion : motion_sources(manifest))
-    task.inputs.push_back("motion:" + motion->id);
+  for (const Stimulus& stimulus : manifest.stimuli) {
+    for (const Stimulus* motion : motions_in(stimulus))
+      task.inputs.push_back("motion:" + motion->id);
+    for (const Person& person : stimulus.people)
+      task.determinants.add("person of " + stimulus.id, person.name).add("start", person.start);
+  }
   task.products = {{std::string(durations_form.path), {}}, {duration_record_path, {}}};
   task.cost_seconds = duration_cost_seconds * static_cast<double>(manifest.stimuli.size());
   task.make = [&manifest, &motions](TaskRun& run) {

@@ -118,9 +118,12 @@ Manifest DraftReader::read_examples(const ordered_json& asked) {
 Vocabulary DraftReader::vocabulary(const std::string& key, const Manifest& manifest) {
   const std::lock_guard lock(mutex_);
   const auto found = vocabularies_.find(key);
-  if (found != vocabularies_.end()) return found->second;
+  if (found != vocabularies_.end() && found->second.second.are_unchanged())
+    return found->second.first;
   if (vocabularies_.size() >= max_vocabularies) vocabularies_.clear();
-  return vocabularies_.emplace(key, vocabulary_of(manifest)).first->second;
+  SeenFiles files(files_of_examples(manifest));
+  const std::pair words(vocabulary_of(manifest), std::move(files));
+  return vocabularies_.insert_or_assign(key, words).first->second.first;
 }
 
 std::string examples_key(const ordered_json& document) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/manifest/checks/vocabulary.h"
 #include "pipeline/manifest/manifest.h"
+#include "pipeline/study/studio/seen_files.h"
 
 namespace mien::pipeline {
 
@@ -58,7 +60,7 @@ class DraftReader {
   std::filesystem::path file_;
   Environment environment_;
   std::mutex mutex_;
-  std::map<std::string, Vocabulary> vocabularies_;  ///< by examples_key
+  std::map<std::string, std::pair<Vocabulary, SeenFiles>> vocabularies_;  ///< by examples_key
 };
 
 /// A cache key: the parts of a document that determine the examples and their ratings.

@@ -139,6 +139,12 @@ const motion::Example& compared(StudioMotion& made) {
 
 }  // namespace
 
+/// With all motions, of which some were made from them.
+void StudioMotions::forget_changed_examples() {
+  const auto have_changed = [](const Study& study) { return !study.files.are_unchanged(); };
+  if (std::erase_if(studies_, have_changed) > 0) motion_cache_.clear();
+}
+
 Motions& StudioMotions::study(const ordered_json& document) {
   const std::string key = examples_key(document);
   const auto found = std::find_if(studies_.begin(), studies_.end(),
@@ -149,7 +155,8 @@ Motions& StudioMotions::study(const ordered_json& document) {
   }
   auto manifest = std::make_unique<const Manifest>(reader_.read_examples(document));
   auto motions = std::make_unique<Motions>(*manifest);
-  studies_.push_front({key, std::move(manifest), std::move(motions)});
+  SeenFiles files(files_of_examples(*manifest));
+  studies_.push_front({key, std::move(manifest), std::move(motions), std::move(files)});
   if (studies_.size() > max_studies) studies_.pop_back();
   return *studies_.front().motions;
 }
@@ -158,6 +165,9 @@ StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
                                                 const std::string& name) {
   const ordered_json about = without_looks(document_excerpt(document, {name}));
   const std::string key = name + "\n" + text_of(about);
+  std::erase_if(motion_cache_, [&](const auto& entry) {
+    return entry.first == key && !entry.second->files.are_unchanged();
+  });
   for (const auto& [cached_key, cached] : motion_cache_)
     if (cached_key == key) return cached;
   const Manifest manifest = has_stimuli(about) ? reader_.read(about) : reader_.read_examples(about);
@@ -165,8 +175,10 @@ StudioMotions::CachedMotion StudioMotions::made(const ordered_json& document,
   if (stimulus != nullptr && !stimulus->people.empty())
     throw Error("\"" + name + "\" has several people, with whom no motion can be compared",
                 "compare it with a stimulus of one motion");
-  auto motion = std::make_shared<StudioMotion>();
-  motion->output = stimulus != nullptr ? stimulus->output : manifest.output;
+  SeenFiles files(stimulus != nullptr ? files_of_motion(manifest, *stimulus)
+                                      : std::vector<std::filesystem::path>());
+  auto motion = std::make_shared<StudioMotion>(StudioMotion{
+      {}, stimulus != nullptr ? stimulus->output : manifest.output, std::move(files), {}});
   // As in a run: stimuli from a file or a path need no examples.
   if (stimulus != nullptr && !is_blend(*stimulus) && !names_examples(*stimulus)) {
     motion->synthesis = synthesize(*stimulus, Repertoire{});
@@ -200,6 +212,7 @@ StudioMotions::Shown StudioMotions::shown(const ordered_json& document, const st
 std::string StudioMotions::motion(const ordered_json& document, const std::string& show,
                                   const std::string& against) {
   const std::lock_guard lock(mutex_);
+  forget_changed_examples();
   const auto begun = std::chrono::steady_clock::now();
   try {
     if (const auto people = people_.of(document, show))
@@ -245,6 +258,7 @@ std::string StudioMotions::motion(const ordered_json& document, const std::strin
 std::string StudioMotions::figure(const ordered_json& document, const std::string& show,
                                   const std::string& key) {
   const std::lock_guard lock(mutex_);
+  forget_changed_examples();
   try {
     if (const auto people = people_.of(document, show))
       return file_named(key, people_message(people->shown, figures_));
@@ -260,6 +274,7 @@ std::string StudioMotions::figure(const ordered_json& document, const std::strin
 
 ordered_json StudioMotions::choices(const ordered_json& document) {
   const std::lock_guard lock(mutex_);
+  forget_changed_examples();
   const Manifest manifest = reader_.read_examples(document);
   try {
     Motions& motions = study(document);

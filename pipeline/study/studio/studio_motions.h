@@ -11,6 +11,7 @@
 #include "motion/skeleton/example.h"
 #include "pipeline/production/synthesis/motions.h"
 #include "pipeline/study/figures/page_figures.h"
+#include "pipeline/study/studio/seen_files.h"
 #include "pipeline/study/studio/studio_draft.h"
 #include "pipeline/study/studio/studio_people.h"
 #include "scenes/figures/figure.h"
@@ -23,14 +24,16 @@ namespace mien::pipeline {
 struct StudioMotion {
   Synthesis synthesis;
   Output output;
+  SeenFiles files;  ///< that it was made from, without those of the examples
 
   /// The motion as read back from its clip file, for comparisons (compared_example.h); computed on
   /// first use.
   std::optional<motion::Example> compared;
 };
 
-/// Synthesizes motions of drafts as `mien run` does. Caches examples and the most recent motions.
-/// Thread-safe; one motion is synthesized at a time.
+/// Synthesizes motions of drafts as `mien run` does. Caches examples and the most recent motions,
+/// and makes them again when a file that they were made from has changed. Thread-safe; one motion
+/// is synthesized at a time.
 class StudioMotions {
  public:
   explicit StudioMotions(DraftReader& reader) : reader_(reader), people_(reader) {}
@@ -75,6 +78,7 @@ class StudioMotions {
     scenes::Role role = scenes::Role::neutral;
   };
 
+  void forget_changed_examples();
   Motions& study(const nlohmann::ordered_json& document);
   CachedMotion made(const nlohmann::ordered_json& document, const std::string& name);
   Shown shown(const nlohmann::ordered_json& document, const std::string& name);
@@ -84,6 +88,7 @@ class StudioMotions {
     std::string key;
     std::unique_ptr<const Manifest> manifest;  ///< on the heap, since `motions` refers to it
     std::unique_ptr<Motions> motions;
+    SeenFiles files;
   };
 
   DraftReader& reader_;

@@ -42,12 +42,16 @@ StudioPeople::Cached StudioPeople::of(const ordered_json& document, const std::s
   const ordered_json about = document_excerpt(document, {name});
   const std::string key =
       name + "\n" + about.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  std::erase_if(cache_, [](const auto& entry) { return !entry.second->files.are_unchanged(); });
   for (const auto& [cached_key, cached] : cache_)
     if (cached_key == key) return cached;
   const Manifest manifest = reader_.read(about);
   const Stimulus& stimulus = *find_stimulus(manifest, name);
   Motions motions(manifest);
-  auto film = std::make_shared<PeopleOfFilm>();
+  std::vector<std::filesystem::path> files = files_of_examples(manifest);
+  for (std::filesystem::path& file : files_of_motion(manifest, stimulus))
+    files.push_back(std::move(file));
+  auto film = std::make_shared<PeopleOfFilm>(PeopleOfFilm{{}, {}, {}, {}, SeenFiles(files)});
   film->shown = shown_people(stimulus, motions);
   for (const Person& person : stimulus.people)
     add_remarks(person, motions.of(person.motion.id), stimulus.output.fps, *film);

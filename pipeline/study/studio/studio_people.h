@@ -10,6 +10,7 @@
 
 #include "motion/lint/finding.h"
 #include "pipeline/study/figures/shown_people.h"
+#include "pipeline/study/studio/seen_files.h"
 #include "pipeline/study/studio/studio_draft.h"
 
 namespace mien::pipeline {
@@ -20,10 +21,11 @@ struct PeopleOfFilm {
   std::vector<motion::Finding> findings;  ///< in frames of the film; sentences begin with the name
   std::vector<std::string> warnings;      ///< the same
   std::vector<std::string> notes;
+  SeenFiles files;  ///< that the motions were made from
 };
 
-/// Makes the motions of stimuli with several people as `mien run` does. Caches the most recent. Not
-/// thread-safe.
+/// Makes the motions of stimuli with several people as `mien run` does. Caches the most recent, and
+/// makes them again when a file that they were made from has changed. Not thread-safe.
 class StudioPeople {
  public:
   explicit StudioPeople(DraftReader& reader) : reader_(reader) {}

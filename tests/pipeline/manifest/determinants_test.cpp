@@ -44,7 +44,23 @@ TEST(Determinants, OfAMotionHoldEveryOptionOfInterpolation) {
   EXPECT_EQ(keys.size(), std::size(changes));
 }
 
-TEST(Determinants, OfPagesHoldNamesOnlyWhereTheyAreNotEnglish) {
+// A film in neutral colours does not show the role: it is not rendered again for it.
+TEST(Determinants, OfAFilmHoldTheRoleWhereItsColourShows) {
+  const auto key_of = [](Colours colours, Role role) {
+    Stimulus stimulus;
+    stimulus.id = "a";
+    stimulus.role = role;
+    stimulus.look.colours = colours;
+    KeyBuilder key;
+    FileKeys files;
+    add_film(key, stimulus, files);
+    return key.key();
+  };
+  EXPECT_NE(key_of(Colours::role, Role::target), key_of(Colours::role, Role::reference));
+  EXPECT_EQ(key_of(Colours::neutral, Role::target), key_of(Colours::neutral, Role::reference));
+}
+
+TEST(Determinants, OfPagesHoldTheLanguageOfNames) {
   const auto key_of = [](NameLanguage names, const char* language) {
     Manifest manifest;
     manifest.names = names;
@@ -56,13 +72,11 @@ TEST(Determinants, OfPagesHoldNamesOnlyWhereTheyAreNotEnglish) {
     add_page(key, manifest);
     return key.key();
   };
-  const Hash english = key_of(NameLanguage::study, nullptr);
-  EXPECT_EQ(key_of(NameLanguage::english, nullptr), english);
-  EXPECT_EQ(key_of(NameLanguage::english, "ja"), english);
-  EXPECT_EQ(key_of(NameLanguage::study, "de"), english);
-  EXPECT_NE(key_of(NameLanguage::both, nullptr), english);
-  EXPECT_NE(key_of(NameLanguage::study, "ja"), english);
-  EXPECT_EQ(key_of(NameLanguage::study, "ja"), key_of(NameLanguage::japanese, nullptr));
+  const Hash as_study = key_of(NameLanguage::study, nullptr);
+  EXPECT_NE(key_of(NameLanguage::both, nullptr), as_study);
+  EXPECT_NE(key_of(NameLanguage::japanese, nullptr), as_study);
+  EXPECT_NE(key_of(NameLanguage::study, "ja"), key_of(NameLanguage::study, "de"));
+  EXPECT_EQ(key_of(NameLanguage::study, "ja"), key_of(NameLanguage::study, "ja"));
 }
 
 }  // namespace

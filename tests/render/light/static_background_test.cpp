@@ -3,7 +3,10 @@
 #include "render/light/static_background.h"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -138,6 +141,124 @@ TEST(StaticBackground, IsTheSameWhetherItIsKeptOrMadeAnew) {
   const Framebuffer dark = kept.trace(painted, front_camera, quality);
   EXPECT_NE(dark, light);
   EXPECT_EQ(dark, Tracer().trace(painted, front_camera, quality));
+}
+
+/// A change of what a picture is drawn from.
+using PictureChange = std::function<void(Scene&, Camera&, Quality&)>;
+
+// A tracer keeps backgrounds by what they depend on: if a change were left out of that, its picture
+// would be that before the change.
+TEST(StaticBackground, IsMadeAnewAfterEveryChangeThatItShows) {
+  const Texture stripes{2, 1, {Color(0.9f, 0.8f, 0.7f), Color(0.2f, 0.3f, 0.4f)}};
+  const Texture dark{2, 1, {Color(0.1f, 0.8f, 0.7f), Color(0.2f, 0.3f, 0.4f)}};
+  const Texture bumps{1, 1, {Color(0.7f, 0.4f, 0.9f)}};
+  Scene scene = walled_scene();
+  scene.textures = {&stripes, &bumps};
+  scene.materials[1].texture = 0;
+  scene.materials[1].normal_map = 1;
+  scene.materials[1].specular_f0 = 0.05f;
+  scene.ground.major_every = 2;
+  for (Mesh& mesh : scene.static_solids.meshes)
+    mesh.uv = {{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}};
+  scene.static_solids.spheres = {{.centre = {1.2f, 0.3f, 0.4f}, .radius = 0.3f, .material = 1}};
+  scene.static_solids.round_cones = {
+      {.start = {-1.4f, 0.2f, 0.6f}, .end = {-1.4f, 0.8f, 0.3f}, .material = 1}};
+  Camera camera = front_camera;
+  camera.width = 24;
+  camera.height = 16;
+  const Quality quality{.samples_per_pixel = 1, .static_samples = 2, .floor_sky_noise = 0.05f};
+  const auto of_material = [](auto member, auto value) -> PictureChange {
+    return [=](Scene& s, Camera&, Quality&) { s.materials[1].*member = value; };
+  };
+  const auto of_ground = [](auto member, auto value) -> PictureChange {
+    return [=](Scene& s, Camera&, Quality&) { s.ground.*member = value; };
+  };
+  const auto of_sky = [](Color Sky::*member) -> PictureChange {
+    return [=](Scene& s, Camera&, Quality&) { s.sky.*member = Color(0.3f, 0.1f, 0.2f); };
+  };
+  const auto of_camera = [](auto member, auto value) -> PictureChange {
+    return [=](Scene&, Camera& c, Quality&) { c.*member = value; };
+  };
+  const auto of_quality = [](auto member, auto value) -> PictureChange {
+    return [=](Scene&, Camera&, Quality& q) { q.*member = value; };
+  };
+  const std::vector<PictureChange> changes = {
+      of_material(&Material::albedo, Color(0.1f, 0.2f, 0.3f)),
+      of_material(&Material::specular_f0, 0.0f),
+      of_material(&Material::roughness, 0.3f),
+      of_material(&Material::emission, Color(0.1f, 0.2f, 0.3f)),
+      of_material(&Material::texture, -1),
+      of_material(&Material::normal_map, -1),
+      of_material(&Material::normal_scale, 0.3f),
+      [&](Scene& s, Camera&, Quality&) { s.textures[0] = &dark; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.meshes[0].material = 0; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.meshes[0].positions[2].y() = 1.2f; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.meshes[0].normals[1].x() = 0.5f; },
+      [](Scene& s, Camera&, Quality&) {
+        s.static_solids.meshes[0].uv[1] = {0.4f, 0.0f};
+      },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.meshes[0].triangles.pop_back(); },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.spheres[0].radius = 0.2f; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.spheres[0].material = 0; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.round_cones[0].end_radius = 0.1f; },
+      [](Scene& s, Camera&, Quality&) { s.static_solids.round_cones[0].end.y() = 0.5f; },
+      [](Scene& s, Camera&, Quality&) { s.figures[0].opacity = 0.5f; },
+      [](Scene& s, Camera&, Quality&) { s.lights[0].radiance[1] = 2.0f; },
+      [](Scene& s, Camera&, Quality&) { s.lights[0].half_u *= 0.5f; },
+      [](Scene& s, Camera&, Quality&) { s.lights.clear(); },
+      [](Scene& s, Camera&, Quality&) { s.has_ground = false; },
+      of_ground(&Ground::albedo, Color(0.1f, 0.2f, 0.3f)),
+      of_ground(&Ground::line_albedo, Color(0.1f, 0.2f, 0.3f)),
+      of_ground(&Ground::line_spacing, 0.7f),
+      of_ground(&Ground::line_width, 0.1f),
+      of_ground(&Ground::major_every, 3),
+      of_ground(&Ground::major_albedo, Color(0.1f, 0.2f, 0.6f)),
+      of_ground(&Ground::offset_x, 0.3f),
+      of_ground(&Ground::offset_z, 0.3f),
+      of_ground(&Ground::fade_start, 2.0f),
+      of_ground(&Ground::fade_end, 12.0f),
+      of_sky(&Sky::zenith),
+      of_sky(&Sky::horizon),
+      of_sky(&Sky::below),
+      of_sky(&Sky::backdrop_horizon),
+      of_sky(&Sky::backdrop_zenith),
+      of_camera(&Camera::position, Vec3(0.8f, 1.6f, 4.0f)),
+      of_camera(&Camera::target, Vec3(0.1f, 0.7f, 0.0f)),
+      of_camera(&Camera::up, Vec3(0.1f, 1.0f, 0.0f)),
+      of_camera(&Camera::vertical_field_of_view, 0.7f),
+      of_camera(&Camera::parallel_height, 2.0f),
+      of_camera(&Camera::shift_x, 2.0f),
+      of_camera(&Camera::shift_y, 2.0f),
+      of_camera(&Camera::aperture_radius, 0.05f),
+      of_camera(&Camera::focus_distance, 2.0f),
+      of_camera(&Camera::window, std::optional(Window{4, 4, 12, 8})),
+      of_quality(&Quality::samples_per_pixel, 2),
+      of_quality(&Quality::sky_rays, 4),
+      of_quality(&Quality::samples_shaded_together, 1),
+      of_quality(&Quality::figure_sharing_pixels, 0),
+      of_quality(&Quality::figure_shares_lights, true),
+      of_quality(&Quality::floor_sharing_pixels, 0),
+      of_quality(&Quality::figure_samples_per_ray, 1),
+      of_quality(&Quality::floor_samples_per_ray, 1),
+      of_quality(&Quality::static_samples, 5),
+      of_quality(&Quality::floor_sky_noise, 0.02f),
+      of_quality(&Quality::floor_sky_tolerance, 0.0f),
+      of_quality(&Quality::floor_sky_cell, 0.01f),
+      of_quality(&Quality::floor_sky_smooth, false),
+      of_quality(&Quality::filter_width, 3.0f),
+      of_quality(&Quality::background, Background::shadow),
+      of_quality(&Quality::shutter, 0.5f),
+      of_quality(&Quality::seed, std::uint64_t{5}),
+      of_quality(&Quality::seed, std::uint64_t{1} << 40),
+      of_quality(&Quality::reference, true)};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    View changed{scene, camera, quality, {}, {}};
+    changes[i](changed.scene, changed.camera, changed.quality);
+    Tracer kept({.threads = 1});
+    kept.trace(scene, camera, quality);
+    EXPECT_EQ(kept.render_view(changed).color, Tracer({.threads = 1}).render_view(changed).color)
+        << i;
+  }
 }
 
 TEST(StaticBackground, ServesAPairOfCamerasByTurns) {

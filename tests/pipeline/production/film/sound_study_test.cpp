@@ -151,6 +151,23 @@ TEST_F(SoundStudy, MakesOnlyTheFilmAgainWhoseSoundChanged) {
   EXPECT_EQ(states.at("motion:b"), TaskState::cached);
 }
 
+// Two stimuli may have one sound, and a third takes it from one or the other.
+TEST_F(SoundStudy, StatesWhoseSoundItIsAfterThatChanged) {
+  const auto text_of = [](const std::string& from) {
+    return "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+           "output: {size: [48, 32], fps: 10, cycles: 1, quality: draft, clips: [], video: [mp4]}\n"
+           "stimuli:\n"
+           "  - {id: a, weights: {sad: 1}, audio: {file: noise.wav, length: cut}}\n"
+           "  - {id: b, weights: {normal: 1}, audio: {file: noise.wav, length: cut}}\n"
+           "  - {id: c, weights: {normal: 1}, audio: {length: cut, from: " +
+           from + "}}\n";
+  };
+  for (const char* from : {"a", "b"}) {
+    made(manifest(text_of(from)), "out");
+    EXPECT_EQ(row(folder.path() / "out/metrics/stimuli.csv", "c")["sound_of"], from);
+  }
+}
+
 TEST_F(SoundStudy, IsVerifiedWithItsSounds) {
   made(manifest(manifest_text()), "out");
   const fs::path out = folder.path() / "out";

@@ -1,21 +1,23 @@
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "pipeline/base/documents/concerns.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/base/reading/field_names.h"
 #include "pipeline/base/reading/schema.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/manifest.h"
 #include "pipeline/manifest/schema_paths.h"
+#include "pipeline/production/run/made_artifacts.h"
 #include "pipeline/production/run/option_variants.h"
-#include "pipeline/production/run/run.h"
+#include "pipeline/production/run/production.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -56,8 +58,52 @@ std::set<std::string> changed_kinds(const Production& one, const Production& oth
   return kinds;
 }
 
-/// An artifact and the key that it was made for.
-using Artifacts = std::map<std::string, std::pair<Hash, Hash>>;
+/// The study with a comparison sheet and a gallery, which options of the look and of videos cannot
+/// change.
+json with_sheets(json document, unsigned concerned) {
+  constexpr unsigned unseen =
+      concerns::picture | concerns::stored | concerns::shown | concerns::files | concerns::drawing;
+  constexpr unsigned seen = concerns::repertoire | concerns::motion | concerns::page;
+  if (document.contains("sheets") || ((concerned & unseen) != 0 && (concerned & seen) == 0))
+    return document;
+  json shown = json::array();
+  for (const json& stimulus : document["stimuli"])
+    if (!stimulus.contains("people") && !stimulus.contains("levels"))
+      shown.push_back(stimulus["id"]);
+  if (shown.size() < 2) return document;
+  document["sheets"] = {{{"compare", {{"target", shown[0]}, {"created", shown[1]}}}},
+                        {{"gallery", {shown[0], shown[1]}}}};
+  return document;
+}
+
+/// A document of which one value is that of an environment variable.
+struct VariableDocument {
+  json document;
+  std::string first, second;  ///< values of the variable
+};
+
+/// Nothing where the documents differ in more than one text, number or word.
+std::optional<VariableDocument> with_variable(const test::OptionVariants& variants) {
+  const json changes = json::diff(variants.first, variants.second);
+  if (changes.size() != 1 || changes[0]["op"] != "replace" || changes[0]["value"].is_structured())
+    return std::nullopt;
+  const json::json_pointer place(changes[0]["path"].get<std::string>());
+  if (variants.first.at(place).is_structured()) return std::nullopt;
+  const auto text_of = [](const json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
+  VariableDocument variable{variants.first, text_of(variants.first.at(place)),
+                            text_of(changes[0]["value"])};
+  variable.document.at(place) = "${MIEN_VALUE}";
+  return variable;
+}
+
+/// All texts in a document.
+void add_texts(const json& value, std::set<std::string>& texts) {
+  if (value.is_string()) texts.insert(value.get<std::string>());
+  if (!value.is_structured()) return;
+  for (const json& member : value) add_texts(member, texts);
+}
 
 class Options : public testing::Test {
  protected:
@@ -68,26 +114,23 @@ class Options : public testing::Test {
     return files.path();
   }
 
-  /// The manifest, which must be without faults.
-  static Manifest checked(const json& document) {
+  static ManifestReading reading_of(const json& document, const Environment& environment) {
     const fs::path file = folder() / "m.yaml";
     std::ofstream(file) << document.dump();
-    const ManifestReading reading = check_manifest(file, nothing);
+    return check_manifest(file, environment);
+  }
+
+  /// The manifest, which must be without faults.
+  static Manifest checked(const json& document) {
+    const ManifestReading reading = reading_of(document, nothing);
     if (!reading.faults.empty()) ADD_FAILURE() << Faults(reading.faults).what();
     return reading.manifest;
   }
 
-  static Artifacts made(const json& document) {
-    const test::TemporaryFolder store;
-    Production production(checked(document), {.quality = {}, .only = {}, .jobs = 1});
-    const RunResult result = run(production, store.path(), 1, {}, {});
-    Artifacts artifacts;
-    for (const TaskOutcome& outcome : result.outcomes) {
-      EXPECT_TRUE(outcome.error.empty()) << outcome.error;
-      for (const Receipt& product : outcome.products)
-        artifacts[product.path] = {product.key, product.hash};
-    }
-    return artifacts;
+  /// What the report depends on.
+  static std::string report_key(const Manifest& manifest) {
+    const Production production(manifest, {.quality = {}, .only = {}, .jobs = 1});
+    return own_keys(production.graph().task("report"));
   }
 
   /// Calls `visit(path, concerned, variants)` for every option of the schema that has two values.
@@ -144,24 +187,60 @@ TEST_F(Options, AreInTheKeysOfWhatTheyConcernAndOfNothingElse) {
   EXPECT_GT(options, 200);
 }
 
-/// With MIEN_ALL_OPTIONS=1 every option is tried, else some of them: making studies takes its time.
+// The text of the manifest is then the same.
+TEST_F(Options, FromTheEnvironmentAreInTheKeyOfTheReport) {
+  int options = 0;
+  for_each_option([&](const std::string& path, unsigned, const auto& variants) {
+    const std::optional<VariableDocument> variable = with_variable(variants);
+    if (!variable) return;
+    const auto reading_with = [&](const std::string& value) {
+      return reading_of(variable->document,
+                        [&](const std::string&) { return std::optional(value); });
+    };
+    const ManifestReading first = reading_with(variable->first);
+    const ManifestReading second = reading_with(variable->second);
+    // Where numbers and texts are allowed, a variable is a text.
+    if (!first.faults.empty() || !second.faults.empty()) return;
+    ++options;
+    EXPECT_NE(report_key(first.manifest), report_key(second.manifest)) << path;
+  });
+  EXPECT_GT(options, 300);
+}
+
+TEST_F(Options, HaveTheContentsOfTheFilesThatTheyNameInTheKeyOfTheReport) {
+  int files = 0;
+  for_each_option([&](const std::string& path, unsigned, const auto& variants) {
+    std::set<std::string> texts;
+    for (const json& change : json::diff(variants.first, variants.second))
+      if (change.contains("value")) add_texts(change["value"], texts);
+    for (const std::string& text : texts) {
+      const fs::path file = folder() / text;
+      if (!fs::is_regular_file(file)) continue;
+      ++files;
+      const std::string before = report_key(checked(variants.second));
+      const std::string content = read_file(file);
+      std::ofstream(file, std::ios::app) << "\n";
+      EXPECT_NE(report_key(checked(variants.second)), before) << path << ", " << text;
+      write_file(file, content);
+    }
+  });
+  EXPECT_GT(files, 40);
+}
+
+// Making studies takes time.
 TEST_F(Options, ThatDifferNeverShareAnArtifactThatDiffers) {
-  const int step = std::getenv("MIEN_ALL_OPTIONS") != nullptr ? 1 : 90;
-  std::map<std::string, Artifacts> known;
-  const auto artifacts_of = [&](const json& document) -> const Artifacts& {
+  const test::TriedPart tried = test::tried_part(90);
+  std::map<std::string, test::KeyedArtifacts> known;
+  const auto artifacts_of = [&](const json& document) -> const test::KeyedArtifacts& {
     const auto [entry, is_new] = known.try_emplace(document.dump());
-    if (is_new) entry->second = made(document);
+    if (is_new) entry->second = test::made_artifacts(checked(document));
     return entry->second;
   };
   int option = 0;
-  for_each_option([&](const std::string& path, unsigned, const auto& variants) {
-    if (option++ % step != 0) return;
-    const Artifacts& first = artifacts_of(variants.first);
-    for (const auto& [file, artifact] : artifacts_of(variants.second)) {
-      const auto other = first.find(file);
-      if (other == first.end() || other->second.first != artifact.first) continue;
-      EXPECT_EQ(other->second.second, artifact.second) << path << " changes " << file;
-    }
+  for_each_option([&](const std::string& path, unsigned concerned, const auto& variants) {
+    if (!tried.has(option++)) return;
+    const test::KeyedArtifacts& first = artifacts_of(with_sheets(variants.first, concerned));
+    test::expect_none_stale(first, artifacts_of(with_sheets(variants.second, concerned)), path);
   });
 }
 

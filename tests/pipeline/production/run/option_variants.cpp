@@ -289,6 +289,7 @@ const Surroundings surroundings[] = {
     {"interpolation.step", with_wishes, R"({"method": "incremental"})"},
     {"interpolation", with_wishes, "{}"},
     {"stimuli[].adjectives", with_wishes, "{}"},
+    {"stimuli[].role", R"({"look": {"colours": "role"}})", "{}"},
     {"stimuli[].hold", with_wishes, "{}"},
     {"stimuli[].foil", with_foil, "{}"},
     {"stimuli[].levels.values.whole", with_whole_levels, R"({"from": 0, "to": 3, "steps": 3})"},

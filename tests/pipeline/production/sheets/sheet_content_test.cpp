@@ -44,14 +44,12 @@ std::vector<DrawnText> column_heads(const std::vector<DrawnText>& texts) {
   return heads;
 }
 
-/// Key of the sheet that shows a motion of this role.
-Hash key_of_gallery(const std::string& role) {
+/// Key of the first sheet of a study of two stimuli with these motions.
+Hash key_of_sheet(const std::string& sheet, const std::string& first = "weights: {normal: 1}",
+                  const std::string& second = "weights: {sad: 1}", const std::string& more = "") {
   const ManifestReading reading = parse_manifest(
-      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\nstimuli:\n"
-      "  - {id: a, role: " +
-          role +
-          ", weights: {normal: 1}}\n  - {id: b, weights: {sad: 1}}\n"
-          "sheets: [{id: all, gallery: [a, b]}]\n",
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n" + more + "stimuli:\n  - {id: a, " +
+          first + "}\n  - {id: b, " + second + "}\nsheets: [{id: all, " + sheet + "}]\n",
       "/nowhere/m.yaml", [](const std::string&) { return std::nullopt; });
   EXPECT_TRUE(reading.faults.empty()) << to_string(reading.faults.at(0));
   FileKeys files;
@@ -61,10 +59,48 @@ Hash key_of_gallery(const std::string& role) {
       .determinants.key();
 }
 
+constexpr char gallery_sheet[] = "gallery: [a, b]";
+constexpr char comparison_sheet[] = "compare: {target: a, created: b}";
+constexpr char walked_motion[] = "path: [{walk: 1}]";
+
 // Colours show it.
 TEST(Galleries, AreDrawnAgainWhenARoleChanges) {
-  EXPECT_NE(key_of_gallery("target"), key_of_gallery("reference"));
-  EXPECT_EQ(key_of_gallery("target"), key_of_gallery("target"));
+  const auto key_of = [](const std::string& role) {
+    return key_of_sheet(gallery_sheet, "role: " + role + ", weights: {normal: 1}");
+  };
+  EXPECT_NE(key_of("target"), key_of("reference"));
+  EXPECT_EQ(key_of("target"), key_of("target"));
+}
+
+// They state where motions come from, and the weights below show no other motion.
+TEST(Galleries, AreDrawnAgainWhenTheSourceOfAMotionIsStatedInAnotherWay) {
+  EXPECT_NE(key_of_sheet(gallery_sheet, "weights: {normal: 1}"),
+            key_of_sheet(gallery_sheet, "weights: {normal: 1, sad: 0}"));
+}
+
+TEST(Sheets, AreDrawnAgainWhenTheyAreOfAnotherKind) {
+  EXPECT_NE(key_of_sheet(gallery_sheet), key_of_sheet(comparison_sheet));
+  EXPECT_NE(key_of_sheet("gallery: [a, b, normal]"),
+            key_of_sheet("compare: {target: a, created: b, reference: normal}"));
+}
+
+TEST(Sheets, AreDrawnAgainInAnotherLanguage) {
+  const auto key_of = [](const std::string& more) {
+    return key_of_sheet(comparison_sheet, "weights: {normal: 1}", "weights: {sad: 1}", more);
+  };
+  EXPECT_NE(key_of("names: en\n"), key_of("names: ja\n"));
+  EXPECT_NE(key_of("names: ja\n"), key_of("names: both\n"));
+  // The names are those of the pages for participants.
+  EXPECT_NE(key_of("matching: {participants: 4, targets: [a], language: en}\n"),
+            key_of("matching: {participants: 4, targets: [a], language: ja}\n"));
+}
+
+// It is printed below, also where no motion depends on it.
+TEST(Sheets, AreDrawnAgainWhenTheSeedOfTheStudyChanges) {
+  for (const char* sheet : {gallery_sheet, comparison_sheet}) {
+    EXPECT_NE(key_of_sheet(sheet, walked_motion, walked_motion, "seed: 1\n"),
+              key_of_sheet(sheet, walked_motion, walked_motion, "seed: 2\n"));
+  }
 }
 
 TEST(ComparisonSheets, KeepTheHeadsOfColumnsApart) {

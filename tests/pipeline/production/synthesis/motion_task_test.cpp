@@ -10,7 +10,9 @@
 #include "motion/formats/motion_file.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/production/run/rehearsal.h"
+#include "pipeline/production/synthesis/durations_task.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -43,6 +45,30 @@ TEST(ClipTask, WritesGltfOfAnyRate) {
                 (bvh.frame_count() - 1) / bvh.frames_per_second, 1.0 / glb.frames_per_second)
         << rate;
   }
+}
+
+/// The films of several people end with the last of them.
+TEST(DurationsTask, DependsOnWhenPeopleBegin) {
+  const auto key_of = [](double start) {
+    Manifest manifest;
+    manifest.equalize.duration = true;
+    Stimulus& pair = manifest.stimuli.emplace_back();
+    pair.id = "pair";
+    for (const char* name : {"one", "other"}) {
+      Person person = plain_person(pair);
+      person.name = name;
+      person.motion.weights = {{"normal", 1.0}};
+      pair.people.push_back(std::move(person));
+    }
+    name_people(manifest);
+    pair.people.back().start = start;
+    FileKeys files;
+    Motions motions(manifest);
+    return durations_task(manifest, shared_determinants(manifest, files), motions)
+        .determinants.key();
+  };
+  EXPECT_NE(key_of(0.5), key_of(1.0));
+  EXPECT_EQ(key_of(0.5), key_of(0.5));
 }
 
 /// The task of one stimulus, made into a folder.

@@ -1,16 +1,21 @@
 #include "pipeline/study/studio/studio_motions.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "motion/formats/motion_file.h"
 #include "motion/gait/contact.h"
 #include "motion/live/live_core.h"
 #include "motion/live/live_message.h"
+#include "motion/procedural/builtin_sets.h"
+#include "motion/skeleton/recording.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/synthesis/motions.h"
@@ -134,6 +139,65 @@ TEST(StudioMotions, OfAStimulusWithLevelsAreAsWithoutThem) {
   const std::size_t size = with.size() - with.rfind("MOVE");
   EXPECT_GT(size, 10000u);
   EXPECT_EQ(difference_of(motion_in(with, size), motion_in(without, size)), 0.0);
+}
+
+/// A studio is open for hours, while recordings and recipes are edited.
+TEST(StudioMotions, AreMadeAgainWhenAFileThatTheyAreMadeFromChanges) {
+  const test::TemporaryFolder folder;
+  const motion::ExampleSet walks = motion::builtin_examples("walks-10");
+  fs::file_time_type time = fs::file_time_type::clock::now();
+  const auto touch = [&](const std::string& file) {
+    fs::last_write_time(folder.path() / file, time += std::chrono::seconds(1));
+  };
+  const auto save_walk = [&](const std::string& file, std::size_t walk) {
+    motion::write_motion(motion::to_recording(walks.examples[walk].clip), folder.path() / file);
+    touch(file);
+  };
+  const auto save_recipe = [&](const std::string& tempo) {
+    write_file(folder.path() / "my.recipes.yaml", "recipes: {calm: {tempo: " + tempo + "}}\n");
+    touch("my.recipes.yaml");
+  };
+  fs::create_directories(folder.path() / "captures");
+  save_walk("captures/normal.bvh", 0);
+  save_walk("captures/other.bvh", 1);
+  save_walk("walk.bvh", 0);
+  save_recipe("0.9");
+  const fs::path file = folder.path() / "m.yaml";
+  write_file(file,
+             "mien: 1\nstudy: s\nrecipes: my.recipes.yaml\n"
+             "examples: {set: {folder: captures, cycle: whole}, ratings: simulated}\nstimuli:\n"
+             "  - {id: captured, clip: walk.bvh}\n"
+             "  - {id: blended, weights: {other: 1}}\n"
+             "  - {id: modified, weights: {normal: 1}, modify: {emotion: calm}}\n"
+             "  - {id: pair, people: [{clip: walk.bvh}, {weights: {normal: 1}, place: {x: 1}}]}\n");
+  const Environment none = [](const std::string&) { return std::nullopt; };
+  const nlohmann::ordered_json document = ManifestFile(file, none).state().document;
+  DraftReader reader(file, none);
+  StudioMotions studio(reader);
+  const auto motion_of = [&](const std::string& id) {
+    const std::string answer = studio.motion(document, id, "");
+    return answer.substr(answer.find("MOVE"));
+  };
+  const auto motions = [&] {
+    std::map<std::string, std::string> all;
+    for (const char* id : {"captured", "blended", "modified", "pair"}) all[id] = motion_of(id);
+    return all;
+  };
+  const auto changed = [&](const auto& change) {
+    const auto before = motions();
+    change();
+    std::string names;
+    for (const auto& [id, motion] : motions())
+      if (before.at(id) != motion) names += id + " ";
+    return names;
+  };
+  EXPECT_EQ(changed([] {}), "");
+  EXPECT_EQ(changed([&] { save_walk("walk.bvh", 1); }), "captured pair ");
+  EXPECT_EQ(changed([&] { save_recipe("0.8"); }), "modified ");
+  // All examples are retargeted to one body.
+  EXPECT_EQ(changed([&] { save_walk("captures/other.bvh", 2); }), "blended modified pair ");
+  save_walk("captures/third.bvh", 3);
+  EXPECT_EQ(studio.choices(document)["examples"].size(), 3u);
 }
 
 }  // namespace
