@@ -297,6 +297,7 @@ const Surroundings surroundings[] = {
     {"stimuli[].levels.", with_levels,
      R"({"factor": "dose", "of": "modify.strength", "values": [0.2, 0.4]})"},
     {"stimuli[].levels", with_levels, "{}"},
+    {"stimuli[].modify.ends", with_clip, "{}"},
     {"modify.harmonics", "{}", R"({"method": "unuma", "neutral": "normal", "styled": "sad"})"},
     {"modify.order", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
     {"modify.inputs", "{}", R"({"method": "hsu", "neutral": "normal", "styled": "sad"})"},
