@@ -155,10 +155,7 @@ std::vector<GaitEvent> events_of_take(const Clip& clip, const std::vector<FootPl
   add_events(events, progress.right_heel, false, GaitEvent::Kind::heel_strike, plants, rate);
   add_events(events, progress.left_toe, true, GaitEvent::Kind::toe_off, plants, rate);
   add_events(events, progress.right_toe, false, GaitEvent::Kind::toe_off, plants, rate);
-  std::vector<Flight> flown = flights(clip, plants);
-  const std::vector<Flight> brief = exchanges(clip, plants);
-  flown.insert(flown.end(), brief.begin(), brief.end());
-  settle_by_flights(events, flown, rate);
+  settle_by_flights(events, foot_changes(clip, plants), rate);
   std::erase_if(events, [&](const GaitEvent& event) { return event.frame > clip.frame_count(); });
   std::stable_sort(events.begin(), events.end(),
                    [](const GaitEvent& a, const GaitEvent& b) { return a.frame < b.frame; });
@@ -183,6 +180,13 @@ std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plan
     found.push_back({first, last, take_off->left, landing.left});
   }
   return found;
+}
+
+std::vector<Flight> foot_changes(const Clip& clip, const std::vector<FootPlant>& plants) {
+  std::vector<Flight> changes = flights(clip, plants);
+  const std::vector<Flight> brief = exchanges(clip, plants);
+  changes.insert(changes.end(), brief.begin(), brief.end());
+  return changes;
 }
 
 std::vector<Vec3> walking_directions(const Clip& clip) {

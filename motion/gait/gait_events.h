@@ -22,6 +22,11 @@ struct Flight {
 /// contact threshold may also leave a gap.
 std::vector<Flight> flights(const Clip& clip, const std::vector<FootPlant>& plants);
 
+/// The changes from one foot to the other in running: the flights, followed by changes that last
+/// less than 0.06 s or in which contacts overlap by less than 0.03 s, where the pelvis is high
+/// (slow runs hardly fly). The latter may be empty or end before they begin.
+std::vector<Flight> foot_changes(const Clip& clip, const std::vector<FootPlant>& plants);
+
 struct GaitEvent {
   enum class Kind { heel_strike, toe_off };
   Kind kind = Kind::heel_strike;

@@ -42,13 +42,14 @@ std::vector<double> pelvis_speeds(const Clip& clip) {
   return speeds;
 }
 
-bool flies(const std::vector<Flight>& flights, const CycleRange& range) {
-  return std::any_of(flights.begin(), flights.end(), [&](const Flight& flight) {
-    return flight.first <= range.end && flight.last >= range.start;
+/// Whether one foot relieves the other in the step as in running, however briefly the body flies.
+bool runs(const std::vector<Flight>& changes, const CycleRange& range) {
+  return std::any_of(changes.begin(), changes.end(), [&](const Flight& change) {
+    return change.first <= range.end && change.last >= range.start;
   });
 }
 
-std::vector<Candidate> candidates_of(const Clip& clip, const std::vector<Flight>& flights) {
+std::vector<Candidate> candidates_of(const Clip& clip, const std::vector<Flight>& changes) {
   const Clip image = mirrored(clip);
   const std::vector<double> speeds = pelvis_speeds(clip);
   const int shortest = static_cast<int>(std::ceil(shortest_step * clip.frames_per_second));
@@ -57,7 +58,7 @@ std::vector<Candidate> candidates_of(const Clip& clip, const std::vector<Flight>
   for (int start = 0; start + shortest < clip.frame_count(); ++start) {
     const int last = std::min(clip.frame_count() - 1, start + longest);
     for (int end = start + shortest; end <= last; ++end) {
-      if (!flies(flights, {start, end})) continue;
+      if (!runs(changes, {start, end})) continue;
       const double gain = (speeds[end] - speeds[start]) / std::max(speeds[end], 0.2);
       const double seam = seam_cost(image, start, clip, end);
       candidates.push_back({{start, end}, std::pow(gain / visible_gain, 2) + seam / visible_seam});
@@ -85,12 +86,12 @@ std::optional<GaitCycle> cycle_of_step(const Clip& clip, const Candidate& candid
 
 std::optional<GaitCycle> steadiest_step(const Clip& clip) {
   if (clip.loops || clip.duration_seconds() > longest_take) return std::nullopt;
-  const std::vector<Flight> flown = flights(clip, foot_plants(clip, event_contact()));
-  if (flown.empty()) return std::nullopt;
+  const std::vector<FootPlant> plants = foot_plants(clip, event_contact());
+  if (flights(clip, plants).empty()) return std::nullopt;
   std::optional<GaitCycle> best;
   double least = 0.0;
   int tried = 0;
-  for (const Candidate& candidate : candidates_of(clip, flown)) {
+  for (const Candidate& candidate : candidates_of(clip, foot_changes(clip, plants))) {
     if (++tried > most_candidates || (best && candidate.cost > similar_cost * least)) break;
     if (best && candidate.range.end <= best->end_frame) continue;
     auto cycle = cycle_of_step(clip, candidate);

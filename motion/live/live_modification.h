@@ -56,7 +56,7 @@ void modification_parts(Bytes& bytes, M& modification) {
   });
   bytes.choice(modification.signal, 2);
   bytes.number(modification.acceleration);
-  bytes.choice(modification.acceleration_place, 2);
+  bytes.choice(modification.acceleration_place, 3);
   for (auto* limb :
        {&modification.limbs.head, &modification.limbs.left_hand, &modification.limbs.right_hand,
         &modification.limbs.left_foot, &modification.limbs.right_foot})

@@ -316,6 +316,8 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   const Clip original = made_travelling(clip);
   const bool at_contacts =
       asked.acceleration > 0.0 && asked.acceleration_place == AccelerationPlace::contacts;
+  const bool at_hits =
+      asked.acceleration > 0.0 && asked.acceleration_place != AccelerationPlace::pauses;
   const bool in_gravity = asked.gravity == TempoGravity::kept && !is_unit(asked.tempo);
   const bool on_slack_legs = asked.stiffness.legs < 1.0 || asked.weight != 1.0;
   const bool needed =
@@ -326,7 +328,7 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   const std::vector<FootPlant> plants =
       m.repair == FootRepair::none ? std::vector<FootPlant>{} : contacts;
   const std::vector<HandHit> hits =
-      m.repair == FootRepair::plants || at_contacts ? hand_hits(original) : std::vector<HandHit>{};
+      m.repair == FootRepair::plants || at_hits ? hand_hits(original) : std::vector<HandHit>{};
   const Clip moved =
       with_variation(grid_motion(with_swing(original, m.relative), contacts, m, hits), m.variation,
                      m.limbs, m.seed);

@@ -44,6 +44,7 @@ enum class AccelerationPlace {
   pauses,    ///< at all slow moments of the limb
   contacts,  ///< hands that hit something: at their hits; other limbs: only at slow moments within
              ///< 0.2 s of a foot landing
+  hits,      ///< only hands, at their hits
 };
 
 /// The limbs that are retimed, each independently. Arms include the clavicles, feet the whole leg;

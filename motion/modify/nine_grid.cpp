@@ -23,25 +23,33 @@ Clip with_paths(const Clip& original, const std::vector<FootPlant>& plants, cons
   return with_hip_shift(filtered, original, plants, smooth ? HipPath::smooth : HipPath::exact);
 }
 
-/// Full acceleration of hands that hit something at their hits, of other limbs where feet land.
-Clip with_acceleration_at_contacts(const Clip& clip, const std::vector<FootPlant>& plants,
-                                   const std::vector<HandHit>& hits, const Limbs& limbs) {
-  const auto hits_of = [&](bool left) {
-    std::vector<HandHit> own = hits;
-    std::erase_if(own, [&](const HandHit& hit) { return hit.left != left; });
-    return own;
-  };
-  Limbs others = limbs;
-  if (!hits_of(true).empty()) others.left_hand = false;
-  if (!hits_of(false).empty()) others.right_hand = false;
-  Clip result = with_acceleration_near(clip, others, contact_frames(plants, clip.frame_count()));
-  for (const Limb limb : {Limb::left_hand, Limb::right_hand}) {
-    const std::vector<HandHit> own = hits_of(limb == Limb::left_hand);
-    if (own.empty() || !has(limbs, limb)) continue;
-    retime(result, limb,
+std::vector<HandHit> hits_of(Limb hand, std::vector<HandHit> hits) {
+  std::erase_if(hits, [&](const HandHit& hit) { return hit.left != (hand == Limb::left_hand); });
+  return hits;
+}
+
+/// Full acceleration of hands that hit something, at their hits.
+Clip with_acceleration_at_hits(const Clip& clip, const std::vector<HandHit>& hits,
+                               const Limbs& limbs) {
+  Clip result = clip;
+  for (const Limb hand : {Limb::left_hand, Limb::right_hand}) {
+    const std::vector<HandHit> own = hits_of(hand, hits);
+    if (own.empty() || !has(limbs, hand)) continue;
+    retime(result, hand,
            hard_hit_sources(own, clip.frame_count(), clip.frames_per_second, clip.loops));
   }
   return result;
+}
+
+/// Full acceleration of hands that hit something at their hits, of other limbs where feet land.
+Clip with_acceleration_at_contacts(const Clip& clip, const std::vector<FootPlant>& plants,
+                                   const std::vector<HandHit>& hits, const Limbs& limbs) {
+  Limbs others = limbs;
+  if (!hits_of(Limb::left_hand, hits).empty()) others.left_hand = false;
+  if (!hits_of(Limb::right_hand, hits).empty()) others.right_hand = false;
+  return with_acceleration_at_hits(
+      with_acceleration_near(clip, others, contact_frames(plants, clip.frame_count())), hits,
+      limbs);
 }
 
 /// The motion with constant speed (`acceleration` < 0) or full acceleration (> 0).
@@ -52,6 +60,9 @@ Clip with_timing(const Clip& clip, const std::vector<FootPlant>& plants,
   if (acceleration < 0.0) return with_constant_speed(clip, modification.limbs);
   if (modification.acceleration_place == AccelerationPlace::pauses) {
     return with_acceleration(clip, modification.limbs);
+  }
+  if (modification.acceleration_place == AccelerationPlace::hits) {
+    return with_acceleration_at_hits(clip, hits, modification.limbs);
   }
   return with_acceleration_at_contacts(clip, plants, hits, modification.limbs);
 }

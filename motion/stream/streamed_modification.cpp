@@ -91,10 +91,11 @@ void check_streamable(const Modification& m) {
         "they are worked out from the whole motion",
         "omit them (--leave-out relative), or use the recipes builtin@0.2, which have none");
   }
-  if (m.acceleration != 0.0 && m.acceleration_place == AccelerationPlace::contacts) {
+  if (m.acceleration != 0.0 && m.acceleration_place != AccelerationPlace::pauses) {
     throw Error(
-        "acceleration at contacts cannot be streamed: contacts are detected in the whole motion",
-        "accelerate at pauses (acceleration_at: pauses)");
+        "acceleration at contacts or hits cannot be streamed: these are detected in the whole "
+        "motion",
+        "accelerate at pauses (acceleration_at: pauses), or omit it (--leave-out acceleration)");
   }
   if (!changes_paths(m)) return;
   if (m.signal == RotationSignal::quaternions) {

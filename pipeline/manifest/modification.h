@@ -62,7 +62,8 @@ inline constexpr Words<motion::FingerPaths> finger_path_words = {
     {"keep", motion::FingerPaths::kept}, {"scale", motion::FingerPaths::scaled}};
 inline constexpr Words<motion::AccelerationPlace> acceleration_words = {
     {"pauses", motion::AccelerationPlace::pauses},
-    {"contacts", motion::AccelerationPlace::contacts}};
+    {"contacts", motion::AccelerationPlace::contacts},
+    {"hits", motion::AccelerationPlace::hits}};
 inline constexpr Words<motion::FootRepair> repair_words = {
     {"plants", motion::FootRepair::plants},
     {"hip-shift", motion::FootRepair::hip_shift},

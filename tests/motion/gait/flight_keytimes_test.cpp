@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/gait/event_contact.h"
+#include "motion/gait/gait_events.h"
 #include "motion/gait/loop.h"
 #include "motion/gait/steadiest_step.h"
 #include "motion/skeleton/straighten.h"
@@ -47,11 +49,10 @@ TEST(FlightKeytimes, OfAWalkAreNone) {
 }
 
 /// Starts slowly, gains speed, and ends after its second step, so that no stride repeats.
-Clip start_of_run() {
-  SyntheticRun run;
+Clip start_of_run(const SyntheticRun& run = {}, double gain = 0.05, int frames = 70) {
   std::vector<double> distance = {0.2};
-  for (int f = 1; f < 70; ++f) {
-    distance.push_back(distance.back() + std::min(0.5 + 0.05 * f, 3.0) / 100.0);
+  for (int f = 1; f < frames; ++f) {
+    distance.push_back(distance.back() + std::min(0.5 + gain * f, 3.0) / 100.0);
   }
   return synthetic_run(run, distance);
 }
@@ -66,6 +67,19 @@ TEST(SteadiestStep, OfARunThatStartsIsUsedWithItsMirrorImage) {
   // At full speed: a step of 0.75 m at 3 m/s.
   EXPECT_NEAR(cycle->keytimes.back(), 0.5, 0.06);
   EXPECT_NEAR(cycle->speed_m_s, 3.0, 0.3);
+}
+
+TEST(SteadiestStep, MayFlyOnlyBriefly) {
+  SyntheticRun run;
+  run.stance = 0.44;
+  run.bounce = 0.05;
+  const Clip take = start_of_run(run, 0.03, 90);
+  const std::vector<FootPlant> plants = foot_plants(take, event_contact());
+  ASSERT_EQ(flights(take, plants).size(), 1u);  // of the first, slow step: 0.06 s
+  ASSERT_EQ(foot_changes(take, plants).size(), 2u);
+  const auto step = steadiest_step(take);
+  ASSERT_TRUE(step);
+  EXPECT_GT(step->speed_m_s, 2.6);
 }
 
 TEST(SteadiestStep, OfAWalkIsNone) {

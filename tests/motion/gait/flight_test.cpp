@@ -41,6 +41,27 @@ TEST(Flight, IsNotShorterThanSixHundredths) {
   EXPECT_TRUE(flights(bobbing(), {{false, 0, 47}, {true, 52, 140}}).empty());
 }
 
+TEST(FootChanges, AreAlsoThoseOfSlowRunsThatHardlyFly) {
+  for (const std::vector<FootPlant>& plants :
+       {std::vector<FootPlant>{{false, 0, 47}, {true, 52, 140}},
+        std::vector<FootPlant>{{false, 0, 51}, {true, 50, 140}}}) {
+    const std::vector<Flight> found = foot_changes(bobbing(), plants);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].first, plants[0].last + 1);
+    EXPECT_EQ(found[0].last, plants[1].first - 1);
+    EXPECT_TRUE(found[0].lands_left);
+  }
+}
+
+TEST(FootChanges, AreFlightsToo) {
+  EXPECT_EQ(foot_changes(bobbing(), {{false, 0, 40}, {true, 61, 140}}).size(), 1u);
+}
+
+TEST(FootChanges, AreNoStepsOfWalking) {
+  EXPECT_TRUE(foot_changes(bobbing(), {{false, 20, 98}, {true, 103, 190}}).empty());  // body down
+  EXPECT_TRUE(foot_changes(bobbing(), {{false, 0, 60}, {true, 45, 140}}).empty());
+}
+
 TEST(Flight, IsNoLongGapInWhichTheBodyDoesNotFall) {
   // Six tenths of a second: who flies so long rises by nearly half a metre.
   EXPECT_TRUE(flights(bobbing(), {{false, 0, 20}, {true, 81, 140}}).empty());

@@ -1,13 +1,20 @@
 #include "motion/modify/held_hands.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "motion/modify/modification.h"
 #include "motion/procedural/knock.h"
 #include "motion/skeleton/mirror.h"
+#include "motion/synthetic_walk.h"
+
+#include "path_measures.h"
 
 namespace mien::motion {
 namespace {
+
+using namespace mien::test;
 
 Clip knocking() { return knock(angry_knock(), 60.0, standard_body()).clip; }
 
@@ -117,18 +124,74 @@ TEST(HeldHands, AreFiniteWhereHitsComeToTheSameFrame) {
     for (const Quat& rotation : pose.rotations) EXPECT_TRUE(rotation.coeffs().allFinite());
 }
 
-TEST(HeldHands, HitHarderWithAccelerationAtContacts) {
+TEST(HeldHands, HitHarderWithAccelerationAtContactsOrHits) {
   const Clip clip = knocking();
+  for (const AccelerationPlace place : {AccelerationPlace::contacts, AccelerationPlace::hits}) {
+    Modification m;
+    m.acceleration = 1.0;
+    m.acceleration_place = place;
+    const ModifiedClip harder = modify(clip, m);
+    for (const HandHit& hit : hand_hits(clip)) {
+      EXPECT_GT(speed_before(harder.clip, hit.frame), 1.5 * speed_before(clip, hit.frame));
+      EXPECT_LT((right_wrist(harder.clip, hit.frame) - right_wrist(clip, hit.frame)).norm(), 1e-3);
+    }
+    for (const std::string& remark : harder.report.remarks)
+      EXPECT_EQ(remark.find("no effect"), std::string::npos) << remark;
+  }
+}
+
+/// Whether all poses of two clips are the same to the bit, but for the right arm.
+bool same_but_for_right_arm(const Clip& a, const Clip& b) {
+  for (std::size_t f = 0; f < a.poses.size(); ++f) {
+    for (std::size_t j = 0; j < body_joint_count; ++j) {
+      const bool is_right_arm = j >= RightClavicle && j <= RightWrist;
+      if (!is_right_arm && a.poses[f].rotations[j].coeffs() != b.poses[f].rotations[j].coeffs()) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The largest turn of a joint above the pelvis between two clips, radians.
+double largest_turn_above_pelvis(const Clip& a, const Clip& b) {
+  double largest = 0.0;
+  for (std::size_t f = 0; f < a.poses.size(); ++f) {
+    for (std::size_t j = Spine; j <= RightWrist; ++j) {
+      largest = std::max(largest, a.poses[f].rotations[j].angularDistance(b.poses[f].rotations[j]));
+    }
+  }
+  return largest;
+}
+
+TEST(HeldHands, AreNotAcceleratedAtHitsWhereTheyHitNothing) {
+  const Clip walk = synthetic_clip(steady_walk(1.2, 3.0));
   Modification m;
   m.acceleration = 1.0;
+  m.soft_joint_limits = false;
   m.acceleration_place = AccelerationPlace::contacts;
-  const ModifiedClip harder = modify(clip, m);
-  for (const HandHit& hit : hand_hits(clip)) {
-    EXPECT_GT(speed_before(harder.clip, hit.frame), 1.5 * speed_before(clip, hit.frame));
-    EXPECT_LT((right_wrist(harder.clip, hit.frame) - right_wrist(clip, hit.frame)).norm(), 1e-3);
-  }
-  for (const std::string& remark : harder.report.remarks)
+  EXPECT_GT(largest_turn_above_pelvis(modified(walk, m), walk), 0.05);
+  m.acceleration_place = AccelerationPlace::hits;
+  const ModifiedClip after = modify(walk, m);
+  EXPECT_LT(largest_turn_above_pelvis(after.clip, walk), 1e-9);
+  for (const std::string& remark : after.report.remarks)
     EXPECT_EQ(remark.find("no effect"), std::string::npos) << remark;
+}
+
+TEST(HeldHands, AloneAreAcceleratedAtHits) {
+  Modification m;
+  m.acceleration = 1.0;
+  m.acceleration_place = AccelerationPlace::hits;
+  m.repair = FootRepair::none;
+  m.soft_joint_limits = false;
+  m.limbs = {true, true, true, true, true};
+  const Clip clip = knocking();
+  const Clip harder = modified(clip, m);
+  EXPECT_TRUE(same_but_for_right_arm(harder, clip));
+  EXPECT_GT(speed_before(harder, hand_hits(clip).front().frame),
+            1.5 * speed_before(clip, hand_hits(clip).front().frame));
+  m.limbs.right_hand = false;
+  EXPECT_EQ(largest_distance(modified(clip, m), clip), 0.0);
 }
 
 }  // namespace

@@ -177,11 +177,13 @@ TEST(StreamedModification, RefusesWhatCannotBeStreamed) {
             std::string::npos);
   EXPECT_NE(refused([](auto& m) { m.tempo = 1.2; }).find("need future frames"), std::string::npos);
   EXPECT_NE(refused([](auto& m) { m.variation = 0.3; }).find("variation"), std::string::npos);
-  EXPECT_NE(refused([](auto& m) {
-              m.acceleration = 0.3;
-              m.acceleration_place = AccelerationPlace::contacts;
-            }).find("pauses"),
-            std::string::npos);
+  for (const auto place : {AccelerationPlace::contacts, AccelerationPlace::hits}) {
+    EXPECT_NE(refused([place](auto& m) {
+                m.acceleration = 0.3;
+                m.acceleration_place = place;
+              }).find("pauses"),
+              std::string::npos);
+  }
   EXPECT_NE(refused([](auto& m) {
               m.paths = 1.2;
               m.signal = RotationSignal::quaternions;
