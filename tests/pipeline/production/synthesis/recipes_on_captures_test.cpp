@@ -46,7 +46,8 @@ struct LimbTiming {
 /// Of a take whose limbs speed up and slow down more at contacts; none otherwise.
 std::vector<LimbTiming> timings(const Clip& take, const motion::Modification& m) {
   std::vector<LimbTiming> found;
-  if (m.acceleration <= 0.0) return found;
+  if (m.acceleration <= 0.0 || m.acceleration_place == motion::AccelerationPlace::hits)
+    return found;
   const double rate = take.frames_per_second;
   const std::vector<int> moments =
       motion::contact_frames(motion::foot_plants(take), take.frame_count());
