@@ -8,8 +8,10 @@
 
 #include "motion/error.h"
 #include "motion/gait/contact.h"
+#include "motion/gestures/hand_hits.h"
 #include "motion/lint/lint.h"
 #include "motion/modify/feet_apart.h"
+#include "motion/modify/hit_timing.h"
 #include "motion/modify/limb_timing.h"
 #include "motion/modify/modification.h"
 #include "motion/modify/real_takes.h"
@@ -43,11 +45,27 @@ struct LimbTiming {
   std::vector<double> source;  ///< s(t), frames of the take, for every frame of the take
 };
 
-/// Of a take whose limbs speed up and slow down more at contacts; none otherwise.
+/// Of the hands of a take that hit something, and hit it harder.
+std::vector<LimbTiming> timings_of_hits(const Clip& take, const motion::Modification& m) {
+  std::vector<LimbTiming> found;
+  for (const motion::Limb hand : {motion::Limb::left_hand, motion::Limb::right_hand}) {
+    std::vector<motion::HandHit> hits = motion::hand_hits(take);
+    std::erase_if(hits, [&](const motion::HandHit& hit) {
+      return hit.left != (hand == motion::Limb::left_hand);
+    });
+    if (hits.empty() || !motion::has(m.limbs, hand)) continue;
+    found.push_back(
+        {motion::end_of(hand),
+         motion::hard_hit_sources(hits, take.frame_count(), take.frames_per_second, take.loops)});
+  }
+  return found;
+}
+
+/// Of a take whose limbs speed up and slow down more at contacts or hits; none otherwise.
 std::vector<LimbTiming> timings(const Clip& take, const motion::Modification& m) {
   std::vector<LimbTiming> found;
-  if (m.acceleration <= 0.0 || m.acceleration_place == motion::AccelerationPlace::hits)
-    return found;
+  if (m.acceleration <= 0.0) return found;
+  if (m.acceleration_place == motion::AccelerationPlace::hits) return timings_of_hits(take, m);
   const double rate = take.frames_per_second;
   const std::vector<int> moments =
       motion::contact_frames(motion::foot_plants(take), take.frame_count());
