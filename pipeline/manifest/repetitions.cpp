@@ -24,7 +24,7 @@ bool is_random_per_id(const scenes::PointLightOptions& dots) {
 Stimulus as_rendered(Stimulus stimulus) {
   const scenes::PointLightOptions* dots = scenes::dots_in(stimulus.look.figure);
   if (dots == nullptr || !is_random_per_id(*dots)) stimulus.id.clear();
-  // Dots have the colour that they are given; bodies have that of their role.
+  // Dots have the colour that they are given; bodies may have that of their role.
   if (dots != nullptr) stimulus.role = Role::created;
   return stimulus;
 }

@@ -38,7 +38,10 @@ TEST(Repetitions, DifferInNothingThatIsSeen) {
       [](Stimulus& b) {
         b.weights = {{"angry", 1.0}};
       },
-      [](Stimulus& b) { b.role = Role::target; },
+      [](Stimulus& b) {
+        b.role = Role::target;
+        b.look.colours = Colours::role;
+      },
       [](Stimulus& b) { b.look.camera.view = "front"; },
       [](Stimulus& b) { b.look.set.in_place = true; },
       [](Stimulus& b) {
@@ -56,6 +59,7 @@ TEST(Repetitions, DifferInNothingThatIsSeen) {
       [](Stimulus& b) {
         b.factors = {{"emotion", "sadness"}};
       },
+      [](Stimulus& b) { b.role = Role::target; },  // in neutral colours
       [](Stimulus& b) { b.output.clips.clear(); },
       [](Stimulus& b) { b.output.video = {render::VideoKind::webm}; },
   };
