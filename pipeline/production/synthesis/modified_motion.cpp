@@ -109,8 +109,27 @@ void animate(ModifiedMotion& result, const ModificationStep& step) {
   }
 }
 
+/// "frozen parts, 1 drive, 3 keys, 1 constraint, ends held"; empty for none.
+std::string described_animation(const ModificationStep& step) {
+  std::vector<std::string> parts;
+  if (!step.freeze.parts.empty()) parts.emplace_back("frozen parts");
+  const auto count = [&](std::size_t number, const char* one, const char* several) {
+    if (number > 0) parts.push_back(fmt::format("{} {}", number, number == 1 ? one : several));
+  };
+  count(step.drives.size(), "drive", "drives");
+  count(step.keys.size(), "key", "keys");
+  count(step.constraints.size(), "constraint", "constraints");
+  if (step.ends.loops) parts.emplace_back("made to loop");
+  if (step.ends.hold_before > 0.0)
+    parts.push_back(fmt::format("first pose held for {} s", shortest(step.ends.hold_before)));
+  if (step.ends.hold_after > 0.0)
+    parts.push_back(fmt::format("last pose held for {} s", shortest(step.ends.hold_after)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// As `animate`, and measures how much farther planted feet slide by it.
 void animate_and_measure(ModifiedMotion& result, const ModificationStep& step) {
+  if (described_animation(step).empty()) return;
   std::vector<motion::FootPlant> plants;
   if (motion::is_body(result.motion.clip.body)) plants = motion::foot_plants(result.motion.clip);
   const double before = motion::planted_slide(result.motion.clip, plants);
@@ -254,24 +273,6 @@ ModifiedMotion dealt_with(ModifiedMotion whole, const motion::Finding& fault,
           : fmt::format("modified at {:.0f} % of the requested strength; at full strength: {}",
                         100.0 * result.share, what));
   return result;
-}
-
-/// "frozen parts, 1 drive, 3 keys, 1 constraint, ends held"; empty for none.
-std::string described_animation(const ModificationStep& step) {
-  std::vector<std::string> parts;
-  if (!step.freeze.parts.empty()) parts.emplace_back("frozen parts");
-  const auto count = [&](std::size_t number, const char* one, const char* several) {
-    if (number > 0) parts.push_back(fmt::format("{} {}", number, number == 1 ? one : several));
-  };
-  count(step.drives.size(), "drive", "drives");
-  count(step.keys.size(), "key", "keys");
-  count(step.constraints.size(), "constraint", "constraints");
-  if (step.ends.loops) parts.emplace_back("made to loop");
-  if (step.ends.hold_before > 0.0)
-    parts.push_back(fmt::format("first pose held for {} s", shortest(step.ends.hold_before)));
-  if (step.ends.hold_after > 0.0)
-    parts.push_back(fmt::format("last pose held for {} s", shortest(step.ends.hold_after)));
-  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 void append(std::vector<std::string>& parts, const std::string& name,
