@@ -42,7 +42,7 @@ std::vector<double> pelvis_speeds(const Clip& clip) {
   return speeds;
 }
 
-/// Whether one foot relieves the other in the step as in running, however briefly the body flies.
+/// Whether the feet change in the step as in running, however briefly the body flies.
 bool runs(const std::vector<Flight>& changes, const CycleRange& range) {
   return std::any_of(changes.begin(), changes.end(), [&](const Flight& change) {
     return change.first <= range.end && change.last >= range.start;

@@ -17,7 +17,7 @@ struct Window {
   friend bool operator==(const Window&, const Window&) = default;
 };
 
-/// Returns the pixels that both have, at least one.
+/// Returns the pixels that both have. They must overlap.
 inline Window intersection(const Window& a, const Window& b) {
   const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
   return {x, y, std::min(a.x_end(), b.x_end()) - x, std::min(a.y_end(), b.y_end()) - y};

@@ -12,7 +12,7 @@ namespace mien::test {
 /// The key and the hash of each artifact of a study, by its path.
 using KeyedArtifacts = std::map<std::string, std::pair<pipeline::Hash, pipeline::Hash>>;
 
-/// Makes a study in a folder of its own, which is removed.
+/// Makes a study in a temporary folder.
 KeyedArtifacts made_artifacts(const pipeline::Manifest& manifest);
 
 /// Fails for each artifact that both studies make for the same key, but with other bytes: the
