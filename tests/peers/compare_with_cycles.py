@@ -30,18 +30,13 @@ import sys
 import tempfile
 
 
-def seconds_for(rows, error):
-    """Seconds a frame at that error, along a line through the two nearest rows (log-log). No frame
-    takes less than one of a draft (two samples), however large the error may be."""
-    rows = sorted(rows, key=lambda row: row["error"])
-    if error >= rows[-1]["error"]:
-        return rows[-1]["seconds"]
-    for near, far in zip(rows, rows[1:]):
-        if error <= far["error"] or far is rows[-1]:
-            break
-    slope = (math.log(far["seconds"]) - math.log(near["seconds"])) / (
-        math.log(far["error"]) - math.log(near["error"]))
-    return near["seconds"] * math.exp(slope * (math.log(error) - math.log(near["error"])))
+QUALITIES = {2: "draft", 16: "standard", 128: "final"}  # by their samples a pixel
+
+
+def fastest_quality(rows, error):
+    """The row of the fastest quality with at most that error; none if no quality was so good."""
+    able = [row for row in rows if row["samples"] in QUALITIES and row["error"] <= error]
+    return min(able, key=lambda row: row["seconds"], default=None)
 
 
 BLOCK = 16
@@ -187,11 +182,14 @@ def main():
         return 0 if report_agreement(agreement) else 1
     print(f"Blender {theirs['version']}, {os.cpu_count()} processors, {options.figure}, 1280 x 720")
     for way in ("standing", "moving"):
-        print(f"\ncamera {way}\n  Cycles  samples  s/frame  RMS error   mien s/frame   ratio")
+        print(f"\ncamera {way}\n  Cycles  samples  s/frame  RMS error   mien's quality  s/frame   ratio")
         for row in theirs[way]:
-            mine = seconds_for(ours[way], row["error"])
-            print(f"          {row['samples']:7d}  {row['seconds']:7.3f}  {row['error']:9.5f}"
-                  f"   {mine:12.4f}  {row['seconds'] / mine:6.0f}")
+            line = f"          {row['samples']:7d}  {row['seconds']:7.3f}  {row['error']:9.5f}"
+            mine = fastest_quality(ours[way], row["error"])
+            if mine is not None:
+                line += (f"   {QUALITIES[mine['samples']]:14s}  {mine['seconds']:7.4f}"
+                         f"  {row['seconds'] / mine['seconds']:6.0f}")
+            print(line)
         print("  mien    samples  s/frame  RMS error")
         for row in ours[way]:
             print(f"          {row['samples']:7d}  {row['seconds']:7.4f}  {row['error']:9.5f}")

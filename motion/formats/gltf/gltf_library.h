@@ -18,8 +18,7 @@ struct GltfFile {
   std::vector<int> human_nodes = {};  ///< the bones of a VRM file, named as VRM does; else empty
 };
 
-/// Parses a text or binary glTF file, VRM files among them: the nodes of their bones get VRM's
-/// names
+/// Parses a text or binary glTF file, VRM files among them: the nodes of their bones get VRM's names
 /// ("hips", "leftUpperArm") in place of their own. Buffer files are read from `folder`; without it
 /// they are refused. Meshes are not read, but nodes still show that they have one; materials and
 /// images are ignored. Throws mien::Error.
