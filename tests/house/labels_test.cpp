@@ -108,5 +108,23 @@ TEST(Labels, LeaveEachSuiteATestThatIsNotLong) {
   }
 }
 
+// Tests that mostly wait for a browser share the processors with others, if they say that they need
+// one.
+TEST(Labels, NameWhatNeedsABrowser) {
+  static const std::regex derived(R"(class (\w+) : public (?:QuestionnairePage|LivePage)\b)");
+  std::set<std::string> labelled;
+  for (const Label& one : all_labels())
+    if (one.label == "browser") labelled.insert(one.name);
+  int found = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(tests)) {
+    if (!entry.path().string().ends_with("_test.cpp")) continue;
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::sregex_iterator at(text.begin(), text.end(), derived), end; at != end; ++at, ++found)
+      EXPECT_TRUE(labelled.contains((*at)[1])) << (*at)[1];
+  }
+  EXPECT_GT(found, 5);
+}
+
 }  // namespace
 }  // namespace mien::test
