@@ -1,11 +1,12 @@
 """Run by Blender: draws the peers' scene with Cycles and writes seconds a frame and errors.
 
 blender -b --factory-startup --python cycles_scene.py -- SCENE.json RESULT.json FRAMES REFERENCE \\
-    SURFACE PICTURE
+    SURFACE PICTURE [LEFT TOP WIDTH HEIGHT]
 
 PICTURE.standing.npy and PICTURE.close.npy become the first frame before these cameras with REFERENCE
 samples, its first row at the top; SURFACE (matte or sheen) says whether materials have their specular
-lobe there. With FRAMES 0 nothing else is drawn.
+lobe there. With a part, in pixels, only that of the close-up is drawn. With FRAMES 0 nothing else is
+drawn.
 Direct light only, no denoiser, persistent data, all cores. The axes are turned: mien's +Y is up,
 Blender's +Z.
 """
@@ -21,8 +22,9 @@ import bpy
 import numpy
 from mathutils import Matrix, Vector
 
-scene_file, result_file, frames, reference, surface, picture_file = sys.argv[sys.argv.index("--") + 1:]
-frames, reference = int(frames), int(reference)
+words = sys.argv[sys.argv.index("--") + 1:]
+scene_file, result_file, frames, reference, surface, picture_file, *part = words
+frames, reference, part = int(frames), int(reference), [int(pixels) for pixels in part]
 told = json.load(open(scene_file))
 
 
@@ -242,9 +244,17 @@ def render(samples, seed):
 
 result = {"version": bpy.app.version_string}
 figure.show_sheen(surface == "sheen")
-for view in ("standing", "close"):
+columns, rows = part[2:] or (1280, 720)
+if part:
+    left, top, border = part[0], part[1], scene.render
+    border.use_border = border.use_crop_to_border = True
+    border.border_min_x, border.border_max_x = left / 1280, (left + columns) / 1280
+    border.border_min_y, border.border_max_y = 1 - (top + rows) / 720, 1 - top / 720
+for view in ("close",) if part else ("standing", "close"):
     pose(0, view)
-    numpy.save(f"{picture_file}.{view}.npy", render(reference, 99)[1].reshape(720, 1280, 3)[::-1])
+    drawn = render(reference, 99)[1].reshape(rows, columns, 3)
+    numpy.save(f"{picture_file}.{view}.npy", drawn[::-1])
+scene.render.use_border = False
 figure.show_sheen(True)
 for way in ("standing", "moving") if frames > 0 else ():
     pose(frames - 1, way)

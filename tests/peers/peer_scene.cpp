@@ -3,8 +3,8 @@
 // triangles are not shaded smoothly; the figure is made of sticks otherwise.
 //
 //   peer_scene write SCENE.json            for the peers; meshes are in SCENE.json.vertices: of
-//   each
-//                                          frame all positions, then all normals, 32-bit floats
+//                                          each frame all positions, then all normals, 32-bit
+//                                          floats
 //   peer_scene measure FRAMES REFERENCE [SAMPLES…]
 //                                          draws it with both cores at several numbers of samples,
 //                                          and prints JSON: seconds a frame and the RMS error of
@@ -17,11 +17,11 @@
 //                                          draws it on one thread and prints processor seconds a
 //                                          frame: for profilers, and to hold two builds side by
 //                                          side
-//   peer_scene picture FRAME SAMPLES standing|moving|close matte|sheen FILE
-//                                          draws one frame and writes its beauty, albedo, normals
-//                                          and positions, one film after the other, as 32-bit
-//                                          floats, the first row at the top; matte leaves out the
-//                                          specular lobe of materials
+//   peer_scene picture FRAME SAMPLES standing|moving|close matte|sheen FILE [LEFT TOP WIDTH HEIGHT]
+//                                          draws one frame, or a part of it, and writes its beauty,
+//                                          albedo, normals and positions, one film after the other,
+//                                          as 32-bit floats, the first row at the top; matte leaves
+//                                          out the specular lobe of materials
 
 #include <algorithm>
 #include <array>
@@ -265,16 +265,19 @@ int main(int argc, char** argv) {
     std::cout << drawing_seconds(scene_at, views.at(words[3]), frames, samples) << '\n';
     return 0;
   }
-  if (what == "picture" && words.size() == 6 && is_view(3) &&
+  if (what == "picture" && (words.size() == 6 || words.size() == 10) && is_view(3) &&
       (words[4] == "matte" || words[4] == "sheen")) {
     const int frame = number(1), samples = number(2);
     if (frame < 0 || frame >= frames_in_all || samples < 1) return 2;
-    write_picture(scene_at(frame), camera_at(frame, views.at(words[3])), samples,
-                  words[4] == "matte", words[5]);
+    render::Camera camera = camera_at(frame, views.at(words[3]));
+    if (words.size() == 10)
+      camera.window = render::Window{number(6), number(7), number(8), number(9)};
+    write_picture(scene_at(frame), camera, samples, words[4] == "matte", words[5]);
     return 0;
   }
   std::cerr << "peer_scene [--figure=[flat-]mannequin] write SCENE.json | measure FRAMES REFERENCE "
                "[SAMPLES…] | draw FRAMES SAMPLES standing|moving | "
-               "picture FRAME SAMPLES standing|moving|close matte|sheen FILE\n";
+               "picture FRAME SAMPLES standing|moving|close matte|sheen FILE "
+               "[LEFT TOP WIDTH HEIGHT]\n";
   return 2;
 }
