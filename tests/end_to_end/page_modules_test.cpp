@@ -46,6 +46,10 @@ TEST_F(PageModules, FindTheStepsOfChainsFromTheAnswersBeforeThem) {
   expect_passed({"--test", "tests/chains/steps.mjs"});
 }
 
+TEST_F(PageModules, KeepSessionsWhateverFailsAroundThem) {
+  expect_passed({"--test", "tests/stores.mjs"});
+}
+
 /// Manifests that the studio saves.
 TEST_F(PageModules, EditManifestsAndKeepWhatTheyDoNotChangeToTheByte) {
   expect_passed({"--test", "tests/studio/manifest_edit.mjs"});

@@ -255,6 +255,7 @@ RecordOutcome SessionStore::keep(const StoredRecord& record, const std::string& 
   // A read statement that is still open would block the commit.
   count.with();
   transaction.commit();
+  empty_erased_log();
   return RecordOutcome::stored;
 }
 
@@ -272,9 +273,25 @@ int SessionStore::erase_records(int session, const std::string& ended) {
     end.with(session, ended).finish();
     transaction.commit();
   }
-  // Older pages are still in the log.
-  database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
+  has_erased_log_ = true;  // older pages are still there
+  empty_erased_log();
   return erased;
+}
+
+bool SessionStore::has_erased_log() const {
+  const std::lock_guard lock(mutex_);
+  return has_erased_log_;
+}
+
+/// What was erased stays erased, and records stay stored, where this fails; it is tried again
+/// later.
+void SessionStore::empty_erased_log() {
+  if (!has_erased_log_) return;
+  try {
+    database_.run("PRAGMA wal_checkpoint(TRUNCATE)");
+    has_erased_log_ = false;
+  } catch (const WriteFailure&) {
+  }
 }
 
 std::vector<StoredStep> SessionStore::steps() {

@@ -93,9 +93,13 @@ class SessionStore {
 
   /// Deletes all records of a session and the times at which it began, removes its number from
   /// answers to steps, and stores how it ended.
-  /// What was deleted is overwritten in the file and its write-ahead log. Returns the number of
-  /// deleted records.
+  /// What was deleted is overwritten in the file and its write-ahead log; if there is no space to
+  /// empty the log, has_erased_log() is true until the next call that stores something, or the end,
+  /// has emptied it. Returns the number of deleted records.
   int erase_records(int session, const std::string& ended);
+
+  /// Whether the write-ahead log still contains what was deleted.
+  bool has_erased_log() const;
 
   /// Answers to steps of chains in the order in which they were stored.
   std::vector<StoredStep> steps();
@@ -107,9 +111,11 @@ class SessionStore {
   void prepare();
   void convert();
   void refuse_missing_log(bool is_new);
+  void empty_erased_log();
 
-  std::mutex mutex_;
-  bool lacks_log_ = false;  ///< the file existed without its log
+  mutable std::mutex mutex_;
+  bool lacks_log_ = false;       ///< the file existed without its log
+  bool has_erased_log_ = false;  ///< of has_erased_log()
   Database database_;
 };
 

@@ -221,7 +221,7 @@ std::string participants_csv(const ServedStudy& study, const StudySessions& sess
     const std::vector<ItemResponse> answers = answers_about_participant(own);
     for (const std::string& question : questions) {
       const auto found = std::ranges::find(answers, question, &ItemResponse::item);
-      row.answers.push_back(found == answers.end() ? "" : found->value_raw);
+      row.answers.push_back(found == answers.end() ? "" : table_text(found->value_raw));
     }
     std::ranges::move(values_of(study.facts, parsed(own.front()).url_parameters),
                       std::back_inserter(row.answers));

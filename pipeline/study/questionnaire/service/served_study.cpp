@@ -98,12 +98,13 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
   return own.dump();
 }
 
-std::string joining_json(const ServedStudy& study) {
+std::string joining_json(const ServedStudy& study, bool has_enough) {
   nlohmann::ordered_json own = shared_part(study);
   own["sessions"] = nlohmann::ordered_json::array(
       {{{"participant", ""}, {"seed", "0"}, {"trials", nlohmann::ordered_json::array()}}});
   own["kept"] = nlohmann::ordered_json::array();
   own["joining"] = true;
+  if (has_enough) own["enough"] = true;
   return own.dump();
 }
 

@@ -66,7 +66,7 @@ std::string session_json(const ServedStudy& study, int plan, const std::string& 
                          const SessionProgress& progress);
 
 /// experiment.json for the page that asks for consent before a session is assigned: with one
-/// session, which has no trials, and without media and stimuli.
-std::string joining_json(const ServedStudy& study);
+/// session, which has no trials, and without media and stimuli. `has_enough`: nobody new can begin.
+std::string joining_json(const ServedStudy& study, bool has_enough);
 
 }  // namespace mien::pipeline

@@ -111,6 +111,10 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
 
 std::string QuestionnaireService::last_failure() const {
   const std::lock_guard lock(last_failure_mutex_);
+  if (last_failure_.empty() && sessions_.store().has_erased_log())
+    return sessions_.store().file().string() +
+           "-wal: still contains deleted answers, because the disk is full; they are overwritten "
+           "with the next answer that can be stored";
   return last_failure_;
 }
 
@@ -343,9 +347,7 @@ HttpResponse QuestionnaireService::answer_join(const HttpRequest& request) {
   if (path.size() == 2) return redirect(308, "/join/" + path[1] + "/");
   if (path.size() > 3) return unknown(request);
   if (!shared_rate_.allows(request.address)) return http_too_many_requests();
-  if (path[2] == "session.json") return http_json(joining_json(study_));
-  if (path[2].empty() && sessions_.has_enough())
-    return message_page(403, study_.experiment, "enough");
+  if (path[2] == "session.json") return http_json(joining_json(study_, sessions_.has_enough()));
   const std::optional<HttpResponse> file = page_file(path[2]);
   return file ? *file : unknown(request);
 }
@@ -363,12 +365,13 @@ HttpResponse QuestionnaireService::take_joining(const HttpRequest& request) {
       }
       return http_value({{"kept", consent.name}});
     }
-    const std::optional<SessionState> joined = sessions_.join(consent, content);
-    if (!joined)
+    const JoinResult joined = sessions_.join(consent, content);
+    if (joined.is_other_browser) return other_browser();
+    if (!joined.session)
       return http_refusal(409, "enough", "all places in this study have been taken",
                           "no further answers are accepted");
     set_last_failure("");
-    const std::string where = "../../s/" + joined->session.link + "/";
+    const std::string where = "../../s/" + joined.session->session.link + "/";
     return http_value({{"kept", consent.name}, {"session", where}});
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -47,6 +48,12 @@ std::int64_t system_seconds() {
 
 std::string iso_time(std::int64_t seconds) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
+std::int64_t seconds_of(const std::string& iso_time) {
+  std::tm parts{};
+  const char* end = strptime(iso_time.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return end != nullptr && *end == '\0' ? timegm(&parts) : 0;
 }
 
 StudySessions::StudySessions(const ServedStudy& study, SessionStore& store, ClockSeconds clock)
@@ -100,9 +107,11 @@ void StudySessions::begin() {
 
 void StudySessions::load() {
   for (const StoredSession& session : store_.sessions()) add_state(session);
-  for (const StoredRecord& stored : store_.records())
-    count(states_.at(static_cast<std::size_t>(stored.session)),
-          read_record(nlohmann::json::parse(stored.content)));
+  for (const StoredRecord& stored : store_.records()) {
+    SessionState& state = states_.at(static_cast<std::size_t>(stored.session));
+    count(state, read_record(nlohmann::json::parse(stored.content)));
+    state.last_seen = std::max(state.last_seen, seconds_of(stored.stored_at));
+  }
 }
 
 void StudySessions::add_state(const StoredSession& session) {
@@ -323,14 +332,19 @@ StoredSession StudySessions::additional_session() const {
                        .entry_route = "join"};
 }
 
-std::optional<SessionState> StudySessions::join(const PageRecord& consent,
-                                                const std::string& content) {
+JoinResult StudySessions::join(const PageRecord& consent, const std::string& content) {
   const std::lock_guard lock(mutex_);
   const auto again = std::ranges::find_if(states_, [&](const SessionState& state) {
     return state.session.entry_route == "join" && state.browser == consent.session;
   });
-  if (again != states_.end()) return *again;
-  if (is_full()) return std::nullopt;
+  // Tables show the names of browser sessions: they do not give the session's link to anybody.
+  if (again != states_.end()) {
+    const bool is_repeated =
+        again->stored == 1 && store_.records_of(again->session.index).front().content == content;
+    if (!is_repeated) return {.is_other_browser = true};
+    return {.session = *again};
+  }
+  if (is_full()) return {};
   const StoredSession further = additional_session();
   store_.add(further, {.session = further.index,
                        .position = 0,
@@ -340,7 +354,7 @@ std::optional<SessionState> StudySessions::join(const PageRecord& consent,
   add_state(further);
   states_.back().last_seen = clock_();
   count(states_.back(), consent);
-  return states_.back();
+  return {.session = states_.back()};
 }
 
 void StudySessions::count_refusal(const PageRecord& consent) {

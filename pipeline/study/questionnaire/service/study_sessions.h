@@ -25,13 +25,17 @@ std::int64_t system_seconds();
 /// ISO 8601 time in UTC: "2026-01-31T09:00:00Z"
 std::string iso_time(std::int64_t seconds);
 
+/// The seconds of such a time; 0 if the text is not one.
+std::int64_t seconds_of(const std::string& iso_time);
+
 /// A session and its progress.
 struct SessionState {
   StoredSession session;
   std::vector<std::string> names;  ///< names of this session's records, in order
   std::size_t stored = 0;          ///< number of these records that have been stored
-  /// Time at which the page last loaded its session or sent a record, seconds since 1970; 0: not
-  /// since the server started.
+  /// Time at which the page last loaded its session, sent a record or said that it is still open
+  /// (once a minute), seconds since 1970; after a start of the server that of the last record; 0:
+  /// never.
   std::int64_t last_seen = 0;
   std::string browser;  ///< browser session that sent the first record; other browsers are refused
   /// How the session ended early: refused, screened_out, withdrawn or, in chains,
@@ -65,6 +69,13 @@ struct StepAssignment {
   std::optional<AssignedStep> step;
   NoStep reason = NoStep::busy;   ///< if there is none
   bool is_other_browser = false;  ///< the session was begun in another browser
+};
+
+/// The outcome of consent on the page of the shared link.
+struct JoinResult {
+  std::optional<SessionState> session;  ///< none: has_enough(), or is_other_browser
+  bool is_other_browser = false;  ///< a session of this browser session was begun with another
+                                  ///< consent, or has gone on since
 };
 
 /// The sessions of a served study: links and progress. Thread-safe.
@@ -102,9 +113,9 @@ class StudySessions {
   /// the plan that the fewest participants have finished or are following (next_plan). Participants
   /// whose session ended early, or who are offline without having finished, are not counted.
   /// Planned sessions are never used, since their links may have been handed out. If a browser
-  /// session that has already joined sends consent again, its session is returned. Nullopt if
-  /// has_enough().
-  std::optional<SessionState> join(const PageRecord& consent, const std::string& content);
+  /// session that has already joined sends the same consent again, and nothing else since, its
+  /// session is returned: the first answer may have been lost.
+  JoinResult join(const PageRecord& consent, const std::string& content);
 
   /// Counts a visitor of the shared link who refuses consent, of whom nothing else is stored. A
   /// browser session that sends its refusal again is not counted again while the server runs.

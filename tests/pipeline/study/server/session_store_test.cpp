@@ -92,6 +92,30 @@ TEST(SessionStore, OverwritesWhatIsErased) {
   EXPECT_EQ(store.erase_records(0, "withdrawn"), 0);
 }
 
+TEST(SessionStore, OverwritesLaterWhatIsErasedOnAFullDisk) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.db";
+  const std::string secret = "the answer of somebody who withdraws";
+  {
+    SessionStore store(file);
+    begin_two(store);
+    for (int number = 1; number <= 200; ++number)
+      store.keep(trial(0, number, std::string(2'000, 'x')));
+    store.keep(trial(1, 1, secret));  // in the last pages
+  }
+  SessionStore store(file);
+  {
+    const FullDisk full(100'000);  // there is space in the log, not in the file behind it
+    EXPECT_EQ(store.erase_records(1, "withdrawn"), 1);
+    EXPECT_TRUE(store.has_erased_log());
+    EXPECT_TRUE(store.records_of(1).empty());
+  }
+  EXPECT_TRUE(holds(file, secret));
+  EXPECT_EQ(store.keep(trial(0, 201)), RecordOutcome::stored);
+  EXPECT_FALSE(store.has_erased_log());
+  EXPECT_FALSE(holds(file, secret));
+}
+
 /// The tables of version 1, which had no ends of sessions.
 TEST(SessionStore, ConvertsFilesOfTheFirstVersion) {
   const TemporaryFolder folder;

@@ -63,7 +63,7 @@ export abstract class LiveSession<Plan extends LivePlan, Own extends LiveExperim
     if (!this.has("ending"))
       await this.keeping("ending",
         { title: texts.almost, texts: said, comment: texts.lastWords, buttons: [texts.finish] });
-    await this.store.finish();
+    await this.store.finish(waitNote(root(), texts));
   }
 
   protected has(name: string): boolean {

@@ -4,7 +4,8 @@ import { saveOnce, type TextFile } from "../questionnaire/files";
 import { participantsCsv } from "../questionnaire/rows";
 import { experimentOf, expectOwn, mayBegin, mayWithdraw, showEnding, showFormerEnd } from "../questionnaire/session_page";
 import { namedSession, type Store } from "../questionnaire/store";
-import { earlyEndsOfLink, linkParameters, modeOfPage, showClosed, storeOf } from "../questionnaire/surroundings";
+import { earlyEndsOfLink, linkParameters, modeOfPage, root, showClosed, storeOf } from "../questionnaire/surroundings";
+import { waitNote } from "../questionnaire/text_view";
 import { endWithdrawalOffer } from "../questionnaire/withdrawal";
 import { recordsOf, type LiveExperiment, type LivePlan } from "./experiment";
 import type { LiveSession, SessionParts } from "./live_session";
@@ -63,6 +64,8 @@ async function run<Plan extends LivePlan, Own extends LiveExperiment<Plan>>(stud
   if (!recordsOf(experiment, store.session).every((name) => store.kept.has(name))) {
     expectOwn(experiment, store);
     await study.session({ mode, experiment, store, texts, ends }).run();
+  } else if (store.mustFinish?.()) {
+    await store.finish(waitNote(root(), texts));
   }
   if (mode === "static") endWithdrawalOffer();
   showEnding(mode, experiment, store, texts, () => saveOnce(filesOf(study, experiment, store), store));

@@ -40,6 +40,8 @@ export interface Experiment {
   ended?: SessionEnd;
   /** Whoever agrees is given a session: there is none yet. */
   joining?: boolean;
+  /** All places are taken: nobody is given one any more. */
+  enough?: boolean;
 }
 
 export interface ExperimentTexts {
@@ -248,6 +250,7 @@ export interface Planned<Own extends { participant: string } = Session> {
   browser?: string;
   ended?: SessionEnd;
   joining?: boolean;
+  enough?: boolean;
   destination?: Destination;
   recruitment?: Recruitment;
 }

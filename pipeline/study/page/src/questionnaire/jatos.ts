@@ -95,15 +95,17 @@ export async function jatosStore<Own extends { participant: string }>(
     mustChoose = !wanted;
   }
   const kept = own;
-  const send = async (does: () => Promise<unknown>, wait: Wait) => {
-    for (let tries = 0; ; tries += 1) {
+  /** Tries until it is done, at most so often; whether it is. */
+  const send = async (does: () => Promise<unknown>, wait: Wait, most = Infinity) => {
+    for (let tries = 1; ; tries += 1) {
       const slow = setTimeout(() => wait("saving"), 400);
       try {
         await does();
-        return;
+        return true;
       } catch {
         wait("failed");
-        await pause(Math.min(500 * 1.6 ** tries, 10000));
+        if (tries >= most) return false;
+        await pause(Math.min(300 * 1.6 ** tries, 10000));
       } finally {
         clearTimeout(slow);
       }
@@ -125,15 +127,19 @@ export async function jatosStore<Own extends { participant: string }>(
       await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
       await send(() => jatos.submitResultData(tables.results(store.session, kept.records)), wait);
     },
-    async finish() {
+    mustFinish: () => !kept.is_handed_in,
+    // A JATOS that takes no files, or no more, keeps nobody from the last page: answers are in the result data, and all
+    // else in the data of the study session.
+    async finish(wait) {
       const files: [string, string][] = [
         ...Object.entries(tables.files(store.session, kept.records)),
         ["records.json", JSON.stringify(kept)],
       ];
-      if (jatos.uploadResultFile) {
+      if (jatos.uploadResultFile)
         for (const [name, text] of files)
-          await send(() => jatos.uploadResultFile!(text, `${store.session.participant}-${name}`), () => {});
-      }
+          if (!await send(() => jatos.uploadResultFile!(text, `${store.session.participant}-${name}`), wait, 6)) break;
+      kept.is_handed_in = true;
+      await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait, 6);
     },
     async withdraw() {
       if (jatos.abortStudyWithoutRedirect) await jatos.abortStudyWithoutRedirect("withdrawn");

@@ -98,7 +98,7 @@ async function keepScreening(own: Session, record: PageRecord, page: HTMLElement
 
 /** The session of a participant who was screened out. */
 async function turnAway({ mode, experiment, store, texts, parameters, ends }: Session): Promise<never> {
-  await store.finish();
+  await store.finish(waitNote(root(), texts));
   ends?.note("screened_out", participantRow(experiment, store.session, store.records));
   if (mode === "static") store.clear?.();
   const destination = store.destination?.() ?? destinationOf(experiment.recruitment, "screened_out");
@@ -247,7 +247,9 @@ async function main(): Promise<void> {
     const running = jsPsych.run(timelineOf(own) as never);
     root().removeAttribute("tabindex");  // jsPsych's own keyboard is not used
     await running;
-    await store.finish();
+    await store.finish(waitNote(root(), texts));
+  } else if (store.mustFinish?.()) {
+    await store.finish(waitNote(root(), texts));
   }
   if (mode === "static") endWithdrawalOffer();  // the files are the participant's or the experimenter's now
   await debrief(experiment, texts);

@@ -164,7 +164,7 @@ export function participantsCsv(
     ...[...(screening?.questions ?? []), ...experiment.demographics].map(({ id }) => id)];
   const row = participantRow(experiment, session, records);
   for (const name of ["screening", "demographics"])
-    for (const { item, value_raw: valueRaw } of records[name]?.responses ?? []) row[item] = String(valueRaw);
+    for (const { item, value_raw: valueRaw } of records[name]?.responses ?? []) row[item] = tableText(String(valueRaw));
   const own = Object.keys(parameterFields(experiment, records));
   return csv([...participantColumns, ...questions, ...own], [row]);
 }

@@ -16,8 +16,9 @@ export interface Store<Own extends Named = Session> {
   kept: Set<string>;
   /** Returns once the record is safe. `wait` is told when that takes long, and why. */
   keep(record: PageRecord, wait: Wait): Promise<void>;
-  /** After the last record. */
-  finish(): Promise<void>;
+  /** After the last record; once more after a reload where `mustFinish` says so. */
+  finish(wait: Wait): Promise<void>;
+  mustFinish?(): boolean;
   /** Where the participant is sent to, once a server has told it. */
   destination?(): Destination | undefined;
   /** How a server ended the session early. */
@@ -75,6 +76,8 @@ export interface Remembered {
   name: string;
   records: Record<string, PageRecord>;
   is_saved?: boolean;
+  /** Of a complete session on JATOS: its files were handed in, or cannot be. */
+  is_handed_in?: boolean;
 }
 
 /**
@@ -96,13 +99,22 @@ export class Drawer {
     const text = JSON.stringify(value);
     try {
       localStorage.setItem(this.key, text);
+      this.forgetInWindow();
     } catch {
+      // A full browser would keep the former text, which is read first.
+      this.forgetInBrowser();
       window.name = JSON.stringify({ ...textsOfWindow(), [this.key]: text });
     }
   }
   clear(): void {
+    this.forgetInWindow();
+    this.forgetInBrowser();
+  }
+  private forgetInWindow(): void {
     const { [this.key]: forgotten, ...others } = textsOfWindow();
     if (forgotten !== undefined) window.name = JSON.stringify(others);
+  }
+  private forgetInBrowser(): void {
     try {
       localStorage.removeItem(this.key);
     } catch { /* nothing was kept */ }
@@ -214,6 +226,9 @@ interface Answered {
   destination?: Destination;
 }
 
+/** Whether a server that answers with that status may answer otherwise later. */
+export const isPassing = (status: number): boolean => [408, 429, 500, 502, 503, 504, 507].includes(status);
+
 const posted = (address: string, value: unknown): Promise<Response> =>
   fetch(address, {
     method: "POST",
@@ -234,7 +249,7 @@ export async function post<Answer = Answered>(address: string, value: unknown, w
       const closed = answer.status === 409 ? closing[said.error ?? ""] : undefined;
       if (closed) throw new SessionClosed(closed);
       if (answer.status === 409 && (said.error === "taken" || said.error === "finished")) throw new Declined(said.error);
-      if (![408, 429, 500, 502, 503, 504, 507].includes(answer.status))
+      if (!isPassing(answer.status))
         throw new RefusedRecord(said.wrong ?? `The server refused an answer (${answer.status}).`);
       isBusy = answer.status === 503 && said.error === "busy";
     } catch (error) {
@@ -262,6 +277,8 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     { participant: session.participant, name: randomName(), records: {} };
   const kept = new Set(experiment.kept ?? []);
   let { destination, ended } = experiment;
+  // Long films and forms send nothing for minutes; the server gives the plans of those who left to others.
+  setInterval(() => void fetch(`${base}session.json`, { method: "HEAD", cache: "no-store" }).catch(() => {}), 60000);
   return {
     session,
     name: own.name,

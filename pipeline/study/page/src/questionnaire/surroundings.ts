@@ -3,7 +3,8 @@ import type { Planned, Recruitment } from "./experiment";
 import { jatosIds, jatosParameters, jatosStore, type Tables } from "./jatos";
 import { EarlyEnds } from "./early_ends";
 import { forgetJoined, joinedSession, personOf, rememberJoined, type Parameters } from "./recruitment";
-import { Declined, folderStore, joiningStore, servedStore, SessionClosed, unsentRecord, type Store } from "./store";
+import { Declined, folderStore, isPassing, joiningStore, pause, servedStore, SessionClosed, unsentRecord,
+  type Store } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
 
@@ -44,6 +45,7 @@ export async function storeOf<Own extends { participant: string }>(
     const link = new URLSearchParams(location.search);
     return folderStore(experiment, link.get("participant"), personOf(experiment, link));
   }
+  if (experiment.enough) throw new SessionClosed("enough");
   if (experiment.joining)
     return joiningStore(experiment, base(), ({ url_parameters: given = {} }, path) =>
       rememberJoined(experiment, given, path));
@@ -65,10 +67,19 @@ export async function goOnWhereJoined(
   experiment: { design: string; joining?: boolean }, parameters: Parameters): Promise<void> {
   const path = experiment.joining && joinedSession(experiment, parameters);
   if (!path) return;
-  const answer = await fetch(`${path}session.json`, { cache: "no-store" });
-  if (!answer.ok) return forgetJoined(experiment, path);
+  if (!(await isThere(path))) return forgetJoined(experiment, path);
   location.replace(path);
   await new Promise(() => {});  // the other page goes on
+}
+
+/** Whether the session has not gone; asked until the server can tell. */
+async function isThere(path: string): Promise<boolean> {
+  for (let tries = 0; ; tries += 1) {
+    const answer = await fetch(`${path}session.json`, { cache: "no-store" }).catch(() => undefined);
+    if (answer?.ok) return true;
+    if (answer && !isPassing(answer.status)) return false;
+    await pause(Math.min(500 * 1.6 ** tries, 10000));
+  }
 }
 
 /** The last page, which nothing follows. */

@@ -43,12 +43,41 @@ TEST_F(Service, GivesThoseWhoAgreeSessionsOfTheirOwnUntilThereIsEnough) {
   EXPECT_EQ(service_.sessions().states().size(), 3u);
   agree_to_join("b2");
   EXPECT_EQ(service_.sessions().state(3).session.plan, 1);
+  const auto has_enough = [&] {
+    return nlohmann::json::parse(get(join() + "session.json").body).value("enough", false);
+  };
   give_all(2, "b1");
+  EXPECT_FALSE(has_enough());
   give_all(3, "b2");
-  EXPECT_EQ(get(join()).status, 403);
+  EXPECT_TRUE(has_enough());
   EXPECT_EQ(error_in(agree_to_join("b3")), "enough");
   EXPECT_EQ(status().at("participants").size(), 4u);
   EXPECT_EQ(status().at("participants").at(0).at("state"), "waiting");
+}
+
+// The page leads those who have a session there, to go on or to see their code again.
+TEST_F(Service, ShowsTheOpenPageAlsoWhenAllPlacesAreTaken) {
+  agree_to_join("b1");
+  agree_to_join("b2");
+  agree_to_join("b3");
+  give_all(2, "b1");
+  give_all(3, "b2");
+  ASSERT_TRUE(service_.sessions().has_enough());
+  EXPECT_EQ(get(join()).status, 200);
+  EXPECT_EQ(get(join()).body, study_.page.at("index.html").bytes);
+  EXPECT_EQ(give(4, "demographics", "b3").status, 200) << "whoever is under way may finish";
+}
+
+// Tables of answers show the names of browser sessions.
+TEST_F(Service, GivesTheLinkOfASessionToNobodyWhoKnowsItsName) {
+  const HttpResponse first = agree_to_join("b1");
+  EXPECT_EQ(agree_to_join("b1").body, first.body) << "the answer may have been lost";
+  nlohmann::json other = good_record(study_, 0, "consent", "b1");
+  other["comment"] = "by somebody else";
+  EXPECT_EQ(error_in(ask("POST", join() + "records/consent", other.dump())), "elsewhere");
+  give(2, "demographics", "b1");
+  EXPECT_EQ(error_in(agree_to_join("b1")), "elsewhere") << "the session has gone on";
+  EXPECT_EQ(service_.sessions().states().size(), 3u);
 }
 
 TEST_F(Service, GivesNoPlanToThoseWhoOnlyLookOrRefuse) {
@@ -97,6 +126,29 @@ TEST_F(Service, GivesThePlanOfThoseWhoLeftAgain) {
   EXPECT_EQ(session.at("sessions").at(0).at("participant"), "p005");
   EXPECT_EQ(session.at("kept"), nlohmann::json({"consent"}));
   EXPECT_EQ(store_.records_of(4).size(), 1u);
+}
+
+TEST_F(Service, DoesNotTakeThosePeopleForGoneWhosePagesAreOpen) {
+  agree_to_join("b1");
+  agree_to_join("b2");
+  give_all(2, "b1");
+  for (int minute = 0; minute < 20; ++minute) {  // a long film: nothing is sent but signs of life
+    now_ += 60;
+    EXPECT_EQ(ask("HEAD", of(3) + "session.json").status, 200);
+  }
+  agree_to_join("b3");
+  EXPECT_EQ(service_.sessions().state(4).session.plan, 0) << "the other plan is being followed";
+}
+
+TEST_F(Service, KnowsAfterARestartWhoWasThere) {
+  agree_to_join("b1");
+  give(2, "demographics", "b1");
+  EXPECT_EQ(seconds_of(iso_time(now_)), now_);
+  EXPECT_EQ(seconds_of("soon"), 0);
+  QuestionnaireService again(study_, store_, {}, [this] { return now_ + 60; });
+  EXPECT_EQ(again.sessions().state(2).last_seen, now_);
+  EXPECT_TRUE(again.sessions().state(2).is_online(now_ + 60));
+  EXPECT_FALSE(again.sessions().state(2).is_online(now_ + 3600));
 }
 
 }  // namespace

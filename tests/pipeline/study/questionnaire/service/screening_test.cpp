@@ -238,6 +238,10 @@ TEST_F(ScreeningPage, HoldsQuotasOverAllWhoFinishOrAreUnderWay) {
   EXPECT_EQ(end_after(record_of(third, 30, "woman"), third), "screened_out");
   EXPECT_EQ(state(third).screening_fault, ScreeningFault::quota);
   EXPECT_EQ(end_after(record_of(first, 25, "woman"), first), "") << "sent again";
+  service_.reset();
+  const int later = join();
+  EXPECT_EQ(end_after(record_of(later, 30, "woman"), later), "screened_out")
+      << "the first is still there after a restart";
   now_ += 3600;  // the first has left
   EXPECT_EQ(end_after(record_of(fourth, 20, "woman"), fourth), "");
   finish(fourth);
@@ -293,6 +297,20 @@ TEST_F(ScreeningPage, StandsInTheTableOfParticipants) {
   EXPECT_EQ(text(1, "screening_fault"), "");
   EXPECT_EQ(text(1, "consent_version"), "2");
   EXPECT_EQ(text(1, "consent_sha256"), "abc");
+}
+
+// A page can send any character of JSON, a table cannot hold it.
+TEST_F(ScreeningPage, TablesHaveNoControlCharactersOfAnswers) {
+  study_.experiment["demographics"] = {{{"id", "job"}, {"ask", "Which?"}, {"answer", "text"}}};
+  study_.facts = questionnaire_facts(study_.experiment);
+  const int session = join();
+  end_after(record_of(session, 30), session);
+  json about = good_record(study_, 0, "demographics", state(session).browser);
+  about["responses"] = {{{"item", "job"}, {"value_raw", std::string("a\0b\x1b\n\"c", 7)}}};
+  ASSERT_EQ(give(session, about).status, 200);
+  const CsvTable table = parse_csv(participants_csv(study_, service().sessions()), "p.csv");
+  const auto column = static_cast<std::size_t>(require_column(table, "job"));
+  EXPECT_EQ(table.rows.at(0).at(column).text, "a b \n\"c");
 }
 
 TEST_F(ScreeningPage, TakesConsentToItsOwnTextOnly) {
