@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/non_central_t.hpp>
@@ -32,9 +33,20 @@ double root_of_falling(auto&& function, double low, double step) {
   return 0.5 * (from + to);
 }
 
+/// Noncentralities (t², or F times its degrees of freedom) above which the effect's own spread is
+/// nothing beside that of the error, 0.06 % of it, and the series of Boost become slow and fail.
+constexpr double overwhelming = 1e7;
+
+/// The factor by which an error of that many degrees of freedom is exceeded with the probability
+/// `below`, as a variance.
+double error_exceeded(double error_degrees, double below) {
+  return quantile(complement(boost::math::chi_squared(error_degrees), below)) / error_degrees;
+}
+
 /// The noncentrality for which F has the probability `below` of a smaller value; 0 if there is
 /// none.
 double noncentrality_of_f(double f, double degrees, double error_degrees, double below) {
+  if (f * degrees > overwhelming) return f * degrees * error_exceeded(error_degrees, below);
   if (cdf(boost::math::fisher_f(degrees, error_degrees), f) <= below) return 0.0;
   return root_of_falling(
       [&](double noncentrality) {
@@ -47,6 +59,8 @@ double noncentrality_of_f(double f, double degrees, double error_degrees, double
 
 /// The same for t, whose noncentrality may be negative.
 double noncentrality_of_t(double t, double degrees, double below) {
+  if (t * t > overwhelming)
+    return t * std::sqrt(error_exceeded(degrees, t > 0.0 ? below : 1.0 - below));
   const auto excess = [&](double noncentrality) {
     return cdf(boost::math::non_central_t(degrees, noncentrality), t) - below;
   };

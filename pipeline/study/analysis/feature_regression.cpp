@@ -5,7 +5,6 @@
 #include <map>
 
 #include "motion/error.h"
-#include "motion/math/percentile.h"
 #include "pipeline/production/synthesis/parameter_label.h"
 
 namespace mien::pipeline {
@@ -74,7 +73,10 @@ ParameterRegression fitted(const std::string& parameter, const Eigen::MatrixXd& 
     result.mean_leverage += own / static_cast<double>(observed.size());
     result.largest_leverage = std::max(result.largest_leverage, own);
   }
-  result.error_90 = motion::percentile(errors, 90.0);
+  std::ranges::sort(errors);
+  const auto place =
+      static_cast<std::size_t>(std::ceil(0.9 * (static_cast<double>(errors.size()) + 1.0)));
+  result.error_90 = errors[std::min(place, errors.size()) - 1];
   return result;
 }
 

@@ -26,8 +26,10 @@ struct ParameterRegression {
   Eigen::VectorXd observed;             ///< ratings of the examples, fraction of the scale's range
   std::vector<PredictionCheck> checks;  ///< by example; also by style if there are several styles
                                         ///< and one of them has several takes
-  double error_90 = 0.0;       ///< 90th percentile of the absolute errors of the last of `checks`
-  double mean_leverage = 0.0;  ///< over the examples
+  /// Of the n absolute errors of the last of `checks`, in order, that at place ⌈0.9 (n + 1)⌉, or
+  /// the largest with fewer than nine (Barber et al. 2021).
+  double error_90 = 0.0;
+  double mean_leverage = 0.0;     ///< over the examples
   double largest_leverage = 0.0;  ///< over the examples
 };
 
@@ -46,8 +48,8 @@ struct FeatureRegression {
 std::string style_of(const std::string& example);
 
 /// Fits a ridge regression from the standardised features to each parameter of the ratings. The
-/// penalty is the one with the least cross-validated error for left-out styles or, if `checks` has
-/// no check by style, for left-out examples. Throws Error if there are no ratings or fewer than
+/// penalty is that of best_penalty() for left-out styles or, if `checks` has no check by style, for
+/// left-out examples. Throws Error if there are no ratings or fewer than
 /// four examples.
 FeatureRegression fit_feature_regression(const Repertoire& repertoire);
 

@@ -62,8 +62,12 @@ std::vector<Quantity> quantify(const Impressions& impressions, const ScaleSet& s
     if (deviation == Deviation::sample) {
       const Eigen::ArrayXd n = impressions.count.row(j).transpose().cast<double>();
       deviations *= (n / (n - 1.0)).sqrt();
+      // A single answer has no deviation; examples with one are left out.
+      const Eigen::ArrayXd known = (n > 1.0).cast<double>();
+      q.mean_deviation = (n > 1.0).select(deviations, 0.0).sum() / known.sum();
+    } else {
+      q.mean_deviation = deviations.mean();
     }
-    q.mean_deviation = deviations.mean();
     q.thresholds = {thresholds.largest_mean * unit_of(scale),
                     thresholds.mean_deviation * unit_of(scale)};
     q.neutral = !normalised(q, scale).passes_mean(thresholds.largest_mean);

@@ -213,6 +213,9 @@ WithinParticipants within_participants(const std::vector<double>& differences) {
   result.wilcoxon_normal_corrected = wilcoxon(differences, WilcoxonMode::corrected).p;
   result.wilcoxon_zsplit = wilcoxon(differences, WilcoxonMode::published, WilcoxonZeros::zsplit).p;
   result.location = hodges_lehmann(differences);
+  constexpr double attained = 0.95 - 1e-9;  // not with fewer than six differences
+  if (result.location.confidence < attained)
+    result.location.low = result.location.high = std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 

@@ -52,11 +52,10 @@ void add_showing(ConfusionRow& row, const std::vector<double>& points) {
   if (total == 0.0) return;
   ++row.judged;
   if (row.own < 0) return;
-  const auto own = static_cast<std::size_t>(row.own);
-  bool is_most = true;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (i != own && points[i] >= points[own]) is_most = false;
-  row.hits += is_most ? 1 : 0;
+  const auto most = std::ranges::max_element(points);
+  if (std::ranges::count(points, *most) > 1) return;
+  ++row.decided;
+  row.hits += most - points.begin() == row.own ? 1 : 0;
 }
 
 void finish(Confusion& confusion, TestCorrection correction) {
@@ -69,7 +68,7 @@ void finish(Confusion& confusion, TestCorrection correction) {
       const ShareInterval interval = wilson(row.recall * row.judged, row.judged);
       row.low = interval.low;
       row.high = interval.high;
-      row.p = binomial_test(row.hits, row.judged, confusion.chance);
+      if (row.decided > 0) row.p = binomial_test(row.hits, row.decided, confusion.chance);
     }
     p_values.push_back(row.p);
   }

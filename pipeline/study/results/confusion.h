@@ -24,10 +24,16 @@ struct ConfusionRow {
   // A presentation is a stimulus of this emotion, answered by one participant.
   int showings = 0;  ///< number of presentations
   int judged = 0;    ///< number of presentations with any points
-  int hits = 0;  ///< number of presentations in which `own` has more points than any other column
-  /// p of an exact two-sided binomial test of the hits against chance; NaN if the recall is.
+  int decided = 0;   ///< number of presentations in which one column has the most points, alone
+  int hits = 0;      ///< of these, those in which it is `own`
+  /// p of an exact two-sided binomial test of the hits among the decided presentations against
+  /// chance: whoever guesses gives any column the most points equally often, but often several of
+  /// them as many, which decides nothing. NaN if the recall is, or if nothing is decided.
   double p = 1.0;
   double adjusted = 1.0;  ///< p adjusted over the rows of the matrix
+
+  /// Whether more presentations are hits than by chance.
+  bool is_above(double chance) const { return hits > chance * decided; }
 };
 
 /// A confusion matrix of intended emotions (rows) and responses (columns).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -64,9 +65,12 @@ struct PairWorth {
   TransitivityViolations transitivity;
   std::vector<ParticipantTriads> triads;
 
-  /// The reported interval.
-  const Interval95& ends_of(const StimulusWorth& one) const {
-    return is_by_participants ? one.by_participants : one.by_answers;
+  /// The reported interval; of implied comparisons, which depend on each other, none that treats
+  /// answers as independent.
+  Interval95 ends_of(const StimulusWorth& one) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (is_by_participants) return one.by_participants;
+    return is_implied ? Interval95{none, none} : one.by_answers;
   }
 };
 

@@ -95,10 +95,12 @@ constexpr auto recall_columns = result_table<RecallRow>(
      {"high", "0–1", "upper end", [](auto& r) { return r.of.high; }},
      {"chance", "0–1", "1 / number of emotions that could be perceived",
       [](auto& r) { return r.all.chance; }},
-     {"hits", "", "presentations in which the intended emotion received the most points",
+     {"hits", "", "presentations in which the intended emotion alone received the most points",
       [](auto& r) { return r.of.hits; }},
+     {"decided", "", "presentations in which any one emotion alone received the most points",
+      [](auto& r) { return r.of.decided; }},
      {"p", "",
-      "exact two-sided binomial test of hits among the judged presentations against chance",
+      "exact two-sided binomial test of hits among the decided presentations against chance",
       [](auto& r) { return p_field(r.of.p); }},
      adjusted_column});
 

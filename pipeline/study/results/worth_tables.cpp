@@ -60,8 +60,11 @@ constexpr auto worth_columns = result_table<WorthRow>(
      {"high", "log-odds", "upper end", [](auto& r) { return r.all.ends_of(r.of).high; }},
      {"interval", "",
       "how the reported interval was determined: participants (bootstrap), or answers (profile "
-      "likelihood, treating all answers as independent)",
-      [](auto& r) { return r.all.is_by_participants ? "participants" : "answers"; }},
+      "likelihood, treating all answers as independent); empty for sets whose participants are too "
+      "few for an interval",
+      [](auto& r) {
+        return r.all.is_by_participants ? "participants" : r.all.is_implied ? "" : "answers";
+      }},
      {"bootstrap_low", "log-odds", "lower end of the interval from resampled participants",
       [](auto& r) { return r.of.by_participants.low; }},
      {"bootstrap_high", "log-odds", "upper end", [](auto& r) { return r.of.by_participants.high; }},

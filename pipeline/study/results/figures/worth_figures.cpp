@@ -28,10 +28,12 @@ IntervalChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
                            : "Log-worth (0: mean of these conditions)";
   chart.title = (are_stimuli ? "Worth of the stimuli: " : "Worth of the conditions: ") +
                 pair_question(answer_set, worth.item);
-  chart.words = std::string("With 95 % intervals (") +
-                (worth.is_by_participants ? "participants resampled"
-                                          : "profile likelihood, answers independent") +
-                "); a difference of 1: odds of 2.7 to 1 of being chosen";
+  chart.words =
+      std::string(worth.is_by_participants ? "With 95 % intervals (participants resampled); "
+                  : worth.is_implied
+                      ? "Without intervals; "
+                      : "With 95 % intervals (profile likelihood, answers independent); ") +
+      "a difference of 1: odds of 2.7 to 1 of being chosen";
   std::vector<const StimulusWorth*> sorted;
   int groups = 0;
   for (const StimulusWorth& one : worth.stimuli) {

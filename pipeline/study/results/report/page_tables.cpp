@@ -214,13 +214,15 @@ std::string recall_html(const Results& results, bool by_points) {
   for (const Confusion& confusion : results.confusions) {
     for (const ConfusionRow& row : confusion.rows) {
       if (row.own < 0 || confusion.by_points != by_points) continue;
-      rows +=
-          HtmlRow()
-              .text(row.emotion, confusion.of)
-              .number(row.judged, percent_text(row.recall),
-                      std::isnan(row.low) ? "–" : share_interval(row.low, row.high),
-                      percent_text(confusion.chance), row.hits, p_text(row.p), p_text(row.adjusted))
-              .html(row.adjusted < results.answer_set.alpha && row.recall > confusion.chance);
+      rows += HtmlRow()
+                  .text(row.emotion, confusion.of)
+                  .number(row.judged, percent_text(row.recall),
+                          std::isnan(row.low) ? "–" : share_interval(row.low, row.high),
+                          percent_text(confusion.chance),
+                          by_points ? fmt::format("{} of {}", row.hits, row.decided)
+                                    : std::to_string(row.hits),
+                          p_text(row.p), p_text(row.adjusted))
+                  .html(row.adjusted < results.answer_set.alpha && row.is_above(confusion.chance));
     }
   }
   return by_points ? wide_table({"<intended", "<of", "presentations", "recall (share of points)",

@@ -72,6 +72,15 @@ std::string on_scale_in_r() {
   return condition;
 }
 
+/// Scales with their groups of participants in the analysis of variance: c("slow-fast woman", …)
+std::string analysed_groups_in_r(const Results& results) {
+  std::vector<std::string> groups;
+  for (const ScaleEffects& scale : results.effects.scales)
+    for (const std::string& group : scale.groups)
+      groups.push_back(results.answer_set.scales[scale.scale].id + " " + group);
+  return vector_in_r(groups);
+}
+
 /// The design as the scripts see it: that of the report's analysis of variance or, if there is
 /// none, the levels of made, emotion and setting of all stimuli, without interactions.
 struct DesignInR {
@@ -259,11 +268,14 @@ people <- people[!people$participant %in% people$participant[duplicated(people$p
 key <- ifelse(counted$participant %in% people$participant, counted$participant,
               sub("/[^/]*$", "", counted$participant))
 counted${group} <- people[[{question}]][match(key, people$participant)]
-counted <- subset(counted, !is.na({group}) & {group} != "")
+# Those that the report analyses: of at least two participants with answers in all cells.
+analysed <- {groups}
+counted <- counted[paste(counted$item, counted${group}) %in% analysed, ]
 counted${group} <- factor(counted${group})
 )script",
         fmt::arg("people", paths.participants), fmt::arg("group", design.group),
-        fmt::arg("question", quoted_in_r(design.results.effects.between)));
+        fmt::arg("question", quoted_in_r(design.results.effects.between)),
+        fmt::arg("groups", analysed_groups_in_r(design.results)));
   return text + "counted$participant <- factor(counted$participant)\n" +
          "counted$stimulus <- factor(counted$stimulus)\n";
 }

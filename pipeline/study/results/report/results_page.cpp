@@ -260,9 +260,10 @@ std::string confusion_html(const Results& results, const PageParts& parts) {
                 "points, a rating halfway between the middle and an end 1 point, and others in "
                 "proportion. Recall is the intended emotion’s share of its row’s points, as in the "
                 "matrix; its interval treats each rated presentation as one trial. “Top response” "
-                "is another measure: the number of presentations in which the intended emotion "
-                "received more points than any other end. The exact binomial test is of this "
-                "number, against chance (1 / number of ends).") +
+                "is another measure: of the presentations in which one end alone received the most "
+                "points, the number in which it was the intended emotion. The exact binomial test "
+                "is of this number, against chance (1 / number of ends). Presentations in which "
+                "several ends received the most points do not count.") +
             by_ratings;
   if (is_of(false))
     html += (is_of(true) ? heading("By choices") : "") +

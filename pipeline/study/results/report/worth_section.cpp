@@ -20,7 +20,7 @@ bool compares_conditions(const Results& results) {
 std::string worth_rows(const AnswerSet& answer_set, const PairWorth& worth) {
   std::string rows;
   for (const StimulusWorth& one : worth.stimuli) {
-    const Interval95& ends = worth.ends_of(one);
+    const Interval95 ends = worth.ends_of(one);
     rows += HtmlRow()
                 .text(pair_question(answer_set, worth.item), one.name)
                 .number(one.comparisons(), one.chosen, one.ties, one.worth,
@@ -142,9 +142,10 @@ std::vector<std::string> worth_remarks(const Results& results) {
           "always or never chosen, or if the answers do not determine the model.",
           question, without, counted_noun(worth.stimuli.size(), "stimulus", "stimuli")));
     if (!worth.is_by_participants && without < std::ssize(worth.stimuli))
-      remarks.push_back(
-          fmt::format("{}: the intervals treat all answers as independent, because {}.", question,
-                      why_not_by_participants(worth)));
+      remarks.push_back(fmt::format(
+          "{}: {}, because {}.", question,
+          worth.is_implied ? "no intervals" : "the intervals treat all answers as independent",
+          why_not_by_participants(worth)));
     if (worth.within_conditions > 0)
       remarks.push_back(fmt::format("{}: {} of two stimuli of the same condition {} not used.",
                                     question,

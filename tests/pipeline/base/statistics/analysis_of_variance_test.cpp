@@ -135,13 +135,31 @@ TEST(NoncentralInterval, ExcludesNoEffectWhereTheTestDoes) {
   EXPECT_TRUE(std::isnan(cohens_dz_interval(INFINITY, 10).high));
 }
 
+// A trace that hardly moves has effects like these.
+TEST(NoncentralInterval, PassesOverIntoThatOfTheErrorAlone) {
+  for (const double degrees : {1.0, 19.0, 200.0}) {
+    const double t = std::sqrt(1e7);
+    const int pairs = static_cast<int>(degrees) + 1;
+    for (const double sign : {-1.0, 1.0}) {
+      const EffectInterval before = cohens_dz_interval(0.999999 * sign * t, pairs);
+      const EffectInterval after = cohens_dz_interval(1.000001 * sign * t, pairs);
+      EXPECT_NEAR(after.low / before.low, 1.0, 1e-4) << degrees;
+      EXPECT_NEAR(after.high / before.high, 1.0, 1e-4) << degrees;
+    }
+    const EffectInterval before = partial_eta_interval(0.999999e7 / 3.0, 3.0, degrees);
+    const EffectInterval after = partial_eta_interval(1.000001e7 / 3.0, 3.0, degrees);
+    EXPECT_NEAR((1.0 - after.low) / (1.0 - before.low), 1.0, 2e-3) << degrees;
+    EXPECT_NEAR((1.0 - after.high) / (1.0 - before.high), 1.0, 2e-3) << degrees;
+  }
+}
+
 TEST(NoncentralInterval, IsFoundForEffectsOfAnySize) {
-  for (const double f : {0.0, 1e-6, 30.0, 1e3, 1e5, 1e7}) {
+  for (const double f : {0.0, 1e-6, 30.0, 1e3, 1e5, 1e7, 1e10, 1e15}) {
     const EffectInterval interval = partial_eta_interval(f, 5.0, 95.0);
     EXPECT_LE(interval.low, interval.high) << f;
     EXPECT_LE(interval.high, 1.0) << f;
   }
-  for (const double t : {-500.0, -3.0, 1e-9, 40.0, 3000.0}) {
+  for (const double t : {-1e6, -500.0, -3.0, 1e-9, 40.0, 3000.0, 1e5, 1e12}) {
     const EffectInterval interval = cohens_dz_interval(t, 30);
     EXPECT_LT(interval.low, t / std::sqrt(30.0)) << t;
     EXPECT_GT(interval.high, t / std::sqrt(30.0)) << t;

@@ -61,6 +61,20 @@ TEST(FeatureRegression, SaysThatItIsUnsureBeyondTheExamples) {
   EXPECT_GT(unknown.high - unknown.low, 1.5 * (known.high - known.low));
 }
 
+// The n-th of n errors covers n / (n + 1); the place is the first that covers 90 %.
+TEST(FeatureRegression, TakesTheErrorThatCoversNinetyPercent) {
+  const Repertoire repertoire = lawful_repertoire();
+  const FeatureRegression regression = fit_feature_regression(repertoire);
+  for (const ParameterRegression& one : regression.parameters) {
+    const auto& predicted = one.checks.back().predictions.predicted;
+    const auto n = static_cast<double>(one.observed.size());
+    const auto within =
+        static_cast<double>(((one.observed - predicted).array().abs() <= one.error_90).count());
+    EXPECT_GE(within, 0.9 * (n + 1.0));
+    EXPECT_LT(within - 1.0, 0.9 * (n + 1.0));
+  }
+}
+
 TEST(FeatureRegression, TakesOfAStyleAreLeftOutTogetherToo) {
   Repertoire repertoire = lawful_repertoire();
   for (std::size_t i = 0; i < repertoire.names.size(); ++i) {

@@ -79,6 +79,23 @@ TEST(Quantification, OfASampleDividesByOneLess) {
               0.5 * std::sqrt(4.0 / 3.0), 1e-12);
 }
 
+TEST(Quantification, OfASampleLeavesOutExamplesWithOneAnswer) {
+  const ScaleSet scales = scales_of(-2, 2);
+  Answers answers;
+  for (const double value : {2.0, -1.0, 2.0, -1.0})
+    answers.answers.push_back({"p", "x", scales.scales[0].id, value});
+  answers.answers.push_back({"p", "y", scales.scales[0].id, 1.0});
+  for (std::size_t i = 0; i < 4; ++i) answers.answers[i].participant = "p" + std::to_string(i);
+  for (std::size_t j = 1; j < scales.scales.size(); ++j)
+    for (const char* example : {"x", "y"})
+      answers.answers.push_back({"p", example, scales.scales[j].id, 1.0});
+  const Impressions found = impressions_of(answers, scales, {{"x", ""}, {"y", ""}});
+  const std::vector<Quantity> quantities = quantify(found, scales, {}, Deviation::sample);
+  EXPECT_NEAR(quantities[0].mean_deviation, std::sqrt(3.0), 1e-12);
+  EXPECT_TRUE(quantities[0].disputed);
+  EXPECT_TRUE(std::isnan(quantities[1].mean_deviation)) << "nobody agrees or disagrees";
+}
+
 TEST(Quantification, MeansAloneCannotBeDisputed) {
   const ScaleSet scales = scales_of(-2, 2);
   Answers means;

@@ -107,6 +107,15 @@ AnswerSet answers_by_utility(const std::vector<double>& worths, int people, std:
   return answers;
 }
 
+TEST(BestWorst, HasNoIntervalsOfFewPeople) {
+  for (const int people : {fewest_resampled_people - 1, fewest_resampled_people}) {
+    const auto worths = worths_of(answers_by_utility({0.5, -0.5, 0.0, 0.2, -0.2}, people, 3));
+    ASSERT_EQ(worths.size(), 1u);
+    for (const StimulusWorth& one : worths[0].stimuli)
+      EXPECT_EQ(std::isfinite(worths[0].ends_of(one).low), people == fewest_resampled_people);
+  }
+}
+
 TEST(BestWorst, FindsKnownWorthsApproximately) {
   const std::vector<double> truth = {-1.0, -0.5, 0.0, 0.4, 1.1};
   const auto worths = worths_of(answers_by_utility(truth, 2000, 5));

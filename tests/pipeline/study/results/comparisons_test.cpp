@@ -339,7 +339,8 @@ TEST(Confusion, IsTheShareOfPointsAsReckonedByHand) {
   EXPECT_EQ(sad.judged, 3);
   EXPECT_EQ(sad.hits, 2);  // of the second person, sad and strong have a point each
   EXPECT_DOUBLE_EQ(acted.chance, 0.25);
-  EXPECT_NEAR(sad.p, 9.0 / 64.0 + 1.0 / 64.0, 1e-12);
+  EXPECT_EQ(sad.decided, 2);
+  EXPECT_NEAR(sad.p, 1.0 / 16.0, 1e-12);
   // The modified one: sad 1 + 2 + 0, nothing of the third.
   EXPECT_EQ(all[1].rows[0].showings, 3);
   EXPECT_EQ(all[1].rows[0].judged, 2);
@@ -347,6 +348,59 @@ TEST(Confusion, IsTheShareOfPointsAsReckonedByHand) {
   // All: the neutral row has no column of its own.
   EXPECT_EQ(all[2].rows[0].own, -1);
   EXPECT_EQ(all[2].rows[1].showings, 6);
+}
+
+// With two scales of five points, one end alone is ahead of the others in two thirds of the
+// presentations only.
+TEST(Confusion, FindsNothingMoreOftenThanStatedInAnswersAtRandom) {
+  std::mt19937_64 random(5);
+  const auto answer = [&] { return static_cast<double>(random() % 5) - 2.0; };
+  constexpr int studies = 400, people = 40;
+  int found = 0;
+  double hits = 0.0, decided = 0.0, judged = 0.0;
+  for (int study = 0; study < studies; ++study) {
+    AnswerSet answer_set = small_study({});
+    answer_set.people.assign(people, "p");
+    for (std::size_t person = 0; person < people; ++person)
+      for (const std::size_t scale : {0u, 1u})
+        answer_set.ratings.push_back(
+            {.person = person, .stimulus = 1, .scale = scale, .value = answer()});
+    const ConfusionRow row = confusions_of(answer_set).back().rows.front();
+    ASSERT_EQ(row.emotion, "sad");
+    found += row.p < 0.05 ? 1 : 0;
+    hits += row.hits;
+    decided += row.decided;
+    judged += row.judged;
+  }
+  EXPECT_NEAR(hits / decided, 0.25, 0.02);
+  EXPECT_LT(hits / judged, 0.2);
+  EXPECT_LT(found, 0.05 * studies + 4.0 * std::sqrt(0.05 * 0.95 * studies));
+}
+
+// Half of the points, but never the most.
+TEST(Confusion, IsNotAboveChanceByPointsAlone) {
+  AnswerSet answer_set = small_study({});
+  answer_set.people.assign(24, "p");
+  for (std::size_t person = 0; person < 24; ++person) {
+    answer_set.ratings.push_back({.person = person, .stimulus = 1, .scale = 0, .value = -1.0});
+    answer_set.ratings.push_back({.person = person, .stimulus = 1, .scale = 1, .value = -2.0});
+  }
+  const ConfusionRow row = confusions_of(answer_set).back().rows.front();
+  EXPECT_GT(row.recall, 0.25);
+  EXPECT_EQ(row.hits, 0);
+  EXPECT_LT(row.p, 0.01);
+  EXPECT_FALSE(row.is_above(0.25));
+}
+
+TEST(Comparisons, HaveNoIntervalThatIsNotOneOfNinetyFivePercent) {
+  for (int people = 1; people <= 8; ++people) {
+    std::vector<double> differences;
+    for (int i = 0; i < people; ++i) differences.push_back(0.1 * i * i - 0.5);
+    const HodgesLehmann location = within_participants(differences).location;
+    EXPECT_TRUE(std::isfinite(location.estimate)) << people;
+    EXPECT_EQ(std::isfinite(location.low), people >= 6) << people;
+    EXPECT_EQ(std::isfinite(location.high), people >= 6) << people;
+  }
 }
 
 TEST(Confusion, OfChoicesCountsThem) {

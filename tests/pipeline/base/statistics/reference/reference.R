@@ -447,10 +447,11 @@ for (emotion in unique(intended)) {
   judged <- sum(rowSums(own) > 0)
   recall <- sum(own[, emotion]) / sum(own)
   hits <- sum(apply(own, 1, function(p) all(p[emotion] > p[names(p) != emotion])))
+  decided <- sum(apply(own, 1, function(p) sum(p == max(p)) == 1))
   wilson <- prop.test(recall * judged, judged, correct = FALSE)$conf.int
   expect(paste0("confusion/", emotion), colSums(own), recall = recall, judged = judged, hits = hits,
-         showings = nrow(own), low = wilson[1], high = wilson[2],
-         p = binom.test(hits, judged, 1 / 4)$p.value)
+         decided = decided, showings = nrow(own), low = wilson[1], high = wilson[2],
+         p = binom.test(hits, decided, 1 / 4)$p.value)
 }
 for (pair in combn(4, 2, simplify = FALSE)) {
   r <- cor.test(points[, pair[1]], points[, pair[2]])

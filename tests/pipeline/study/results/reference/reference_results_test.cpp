@@ -51,6 +51,7 @@ TEST(ReferenceResults, HaveTheConfusionOfR) {
     expected.is("recall", row.recall);
     expected.is("judged", row.judged);
     expected.is("hits", row.hits);
+    expected.is("decided", row.decided);
     expected.is("showings", row.showings);
     expected.is("low", row.low);
     expected.is("high", row.high);

@@ -105,6 +105,17 @@ TEST(FactorReport, WritesScriptsWithTheFactorsAndContrastsOfTheReport) {
   EXPECT_NE(page.find("analysis/afex.R"), std::string::npos);
 }
 
+TEST(FactorReport, WritesScriptsWithTheGroupsOfTheReport) {
+  std::string people = gender_of_eight();
+  people.replace(people.find("p008,man"), 8, "p008,other");  // alone in a group
+  const auto files = report_on(planned_study(), people);
+  for (const char* script : {"analysis/afex.R", "analysis/lme4.R"}) {
+    EXPECT_NE(files.at(script).find("\"sad-happy man\", \"sad-happy woman\""), std::string::npos)
+        << files.at(script);
+    EXPECT_EQ(files.at(script).find("happy other"), std::string::npos) << script;
+  }
+}
+
 TEST(FactorReport, WritesNoRandomStimuliWhereEachCellHasOne) {
   const auto files = report_on(two_emotion_study(5));
   const std::string& mixed = files.at("analysis/lme4.R");

@@ -130,8 +130,8 @@ TEST(ResultsReport, NamesNoThesisOfOthers) {
 TEST(ResultsReport, NamesTheColumnsOfRecallAsPublished) {
   EXPECT_TRUE(usual_report()
                   .at("results/recall.csv")
-                  .starts_with("by,of,shown,showings,judged,points,recall,low,high,chance,hits,p,"
-                               "p_adjusted,simulated"));
+                  .starts_with("by,of,shown,showings,judged,points,recall,low,high,chance,hits,"
+                               "decided,p,p_adjusted,simulated"));
 }
 
 /// Answers with a name in the first cell of each column in which it passes for an answer.
