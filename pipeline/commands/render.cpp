@@ -15,6 +15,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/line/console.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/render_options.h"
 #include "pipeline/commands/render_performances.h"
 #include "pipeline/manifest/look/look_checks.h"
@@ -123,8 +124,24 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
   return found;
 }
 
+/// Throws Error if a file to be written is an input, or the other file to be written.
+void refuse_lost_files(const RenderOptions& options, const fs::path& out) {
+  std::vector<std::string> inputs;
+  for (const NamedRecording& named : named_recordings(options.files, options.recording))
+    inputs.push_back(named.file);
+  for (const std::string& input : inputs) {
+    refuse_own_input(input, out.string());
+    refuse_own_input(input, options.dots);
+  }
+  std::error_code unknown;
+  if (!options.dots.empty() &&
+      fs::weakly_canonical(options.dots, unknown) == fs::weakly_canonical(out, unknown))
+    throw Error({options.dots}, "would be written twice", "name two files (--dots, -o)");
+}
+
 int render_file(const RenderOptions& options, const Console& console) {
   const RenderPlan plan = plan_of(options);
+  refuse_lost_files(options, plan.out);
   print_warnings(plan.warnings, console);
   const scenes::Shot shot = shot_of(options, plan, console);
   if (!options.dots.empty() && shot.actors.front().dots.empty())

@@ -80,10 +80,11 @@ TEST_F(SteeredWords, HaveTheSameResultsAgainAndTellWhatIsWrong) {
   const std::string again = (folder.path() / "again").string();
   ASSERT_EQ(chains(again).code, 0);
   for (const auto& entry : fs::recursive_directory_iterator(results))
-    if (entry.is_regular_file())
+    if (entry.is_regular_file()) {
       EXPECT_EQ(text_of(entry.path()),
                 text_of(fs::path(again) / fs::relative(entry.path(), results)))
           << entry.path();
+    }
   // Results are replaced by later ones, and nothing else is.
   EXPECT_EQ(chains(again, {"--discard", "1"}).code, 0);
   const fs::path notes = folder.path() / "notes";

@@ -163,6 +163,47 @@ TEST_F(Convert, RefusesBeforeAnythingIsWritten) {
   }
 }
 
+/// What the options for further files would write over.
+TEST_F(Convert, NoCommandWritesOverWhatItReads) {
+  ASSERT_EQ(convert("walk.bvh", "walk.csv").code, 0);
+  const std::string study = scratch_
+                                .write("study.yaml",
+                                       "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10}\n"
+                                       "stimuli: [{id: a, weights: {normal: 1}}]\n")
+                                .string();
+  scratch_.write("words.csv",
+                 "participant,language,motion,verb,modifier1\n1,suomi,a,kävelee,hitaasti\n");
+  fs::create_directory(at("targets"));
+  scratch_.write("targets/targets.csv", "mine\n");
+  const auto before = files_in(scratch_.path());
+  struct Request {
+    std::vector<std::string> words;
+    std::string said;
+  };
+  for (const Request& request : std::vector<Request>{
+           {{"render", at("walk.bvh"), "--figure", "point-light", "-o", at("x.png"), "--dots",
+             at("walk.bvh")},
+            "walk.bvh: is the input file"},
+           {{"render", at("walk.csv"), "--figure", "markers", "-o", at("x.png"), "--dots",
+             at("walk.csv")},
+            "walk.csv: is the input file"},
+           {{"render", at("walk.bvh"), "--figure", "point-light", "-o", at("x.png"), "--dots",
+             at("./x.png")},
+            "x.png: would be written twice"},
+           {{"farm", "export", study, "--format", "openjd", "-o", study, "--out", at("out")},
+            "study.yaml: is the input file"},
+           {{"study", "words", at("words.csv"), "--lexicon",
+             MIEN_SOURCE_DIR "/manifests/walking-words.scales.yaml", "-o", at("words.csv")},
+            "words.csv: is the input file"},
+           {{"study", "targets", "--examples", "builtin:walks-10", "-o", at("targets")},
+            "targets.csv: exists already and is not an earlier table of this kind"}}) {
+    const Ended ended = run_mien(request.words);
+    EXPECT_EQ(ended.code, 2) << ended.output << ended.errors;
+    EXPECT_NE(ended.errors.find(request.said), std::string::npos) << ended.errors;
+    EXPECT_EQ(files_in(scratch_.path()), before) << request.said;
+  }
+}
+
 TEST(Clips, OfEveryFormatAreMadeVerifiedAndTheSameAgain) {
   const Scratch scratch;
   const fs::path manifest = scratch.write(

@@ -5,6 +5,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/commands/farm/submission_options.h"
 #include "pipeline/commands/line/production_options.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/farm/open_job_description.h"
 
 namespace mien::pipeline {
@@ -31,6 +32,7 @@ int export_study(const ExportCommand& command, const Console& console) {
     console.out << open_job_text(job, "job.json");
     return exit_done;
   }
+  refuse_own_input(command.study.manifest, command.file);
   write_file(command.file, open_job_text(job, command.file));
   console.out << command.file << ": a job template of " << job.at("steps").size() << " steps\n";
   return exit_done;

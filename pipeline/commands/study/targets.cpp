@@ -8,6 +8,7 @@
 
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
+#include "pipeline/commands/study/new_tables.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/study/matching/experiment/matching_study.h"
 #include "pipeline/study/matching/target_manifest.h"
@@ -82,9 +83,12 @@ int make_targets(TargetsCommand command, const Console& console) {
   show(set, ratings, examples, console);
   if (command.out.empty()) return exit_done;
   const fs::path folder(command.out);
-  write_tables(folder, {targets_table(set, examples, ratings)});
-  write_file(folder / "targets.yaml",
-             target_manifest_yaml(matching_manifest(manifest, set), set, folder));
+  const WrittenTable table = targets_table(set, examples, ratings);
+  const std::string yaml = target_manifest_yaml(matching_manifest(manifest, set), set, folder);
+  refuse_data_loss({{folder / "targets.csv", table.csv}}, {});
+  refuse_other_content(folder / "targets.yaml", yaml);
+  write_tables(folder, {table});
+  write_file(folder / "targets.yaml", yaml);
   console.out << '\n'
               << (folder / "targets.csv").string() << '\n'
               << (folder / "targets.yaml").string() << '\n';

@@ -9,6 +9,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/base/documents/table.h"
 #include "pipeline/commands/line/installed_manifests.h"
+#include "pipeline/commands/line/recording_options.h"
 #include "pipeline/commands/study/study.h"
 #include "pipeline/manifest/ratings/answers/word_answers.h"
 
@@ -106,6 +107,8 @@ int turn_words_into_answers(const WordsOptions& options, const Console& console)
   const ScaleSet scales = read_scales(resolve_input_file(options.lexicon, console));
   const WordAnswers words =
       answers_from_words(read_csv(options.words), scales, options.unmentioned);
+  refuse_own_input(options.words, options.out);
+  refuse_own_input(options.lexicon, options.out);
   write_file(options.out, to_csv(words.answers));
   if (!options.report.empty()) write_report(words, options.report);
   print_coverage(words, console.out);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,11 @@
 
 namespace mien::pipeline {
 
-/// What was found about the factors of a design.
+/// What was found about the factors of a design, and about equalized durations.
 struct DesignFindings {
   std::vector<FactorProperty> properties;
   std::vector<FactorLevels> close;
+  std::optional<DesignWarning> cut = {};  ///< films that are cut by more than half
 };
 
 /// Returns the findings before films are rendered (planned_properties). Throws Error.
@@ -24,8 +26,8 @@ DesignFindings planned_design(const Manifest& manifest, Motions& motions);
 DesignFindings filmed_design(const Manifest& manifest, Motions& motions,
                              const std::filesystem::path& folder);
 
-/// Returns the warnings about confounds (confound_warnings) and about levels that are alike
-/// (close_level_warnings).
+/// Returns the warnings about confounds (confound_warnings), about levels that are alike
+/// (close_level_warnings) and about films that equalizing durations cuts by more than half.
 std::vector<DesignWarning> design_warnings(const Manifest& manifest,
                                            const DesignFindings& findings);
 
