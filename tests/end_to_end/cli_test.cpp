@@ -177,6 +177,23 @@ TEST(CommandLine, CheckTellsFaultsOfTheFilesThatAManifestNames) {
                              "\"builtin:walks-10\"?\n");
 }
 
+TEST(CommandLine, CheckTellsWhatIsWrongWithAPath) {
+  const Scratch scratch;
+  for (const auto& [path, said] :
+       {std::pair("https://example.org/walk.bvh", "files are not fetched from the web"),
+        std::pair("~/walk.bvh", "~ is not replaced by your home folder"),
+        std::pair("captures\\walk.bvh", "write / instead of \\ between folders"),
+        std::pair("walk.bvh", "give ")}) {
+    const std::string text =
+        std::string("mien: 1\nstudy: s\nstimuli:\n  - {id: a, clip: '") + path + "'}\n";
+    const Ended ended = run_mien({"check", scratch.write("m.yaml", text).string()});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_TRUE(contains(ended.errors, "m.yaml:4:19: stimuli[0].clip: there is no file "))
+        << ended.errors;
+    EXPECT_TRUE(contains(ended.errors, said)) << ended.errors;
+  }
+}
+
 TEST(CommandLine, CheckSpeaksJson) {
   const Scratch scratch;
   const fs::path bad = scratch.write("bad.yaml", "mien: 1\nstudy: 5\nstimuli: 1\n");

@@ -13,6 +13,26 @@
 
 namespace mien::pipeline {
 
+namespace {
+
+std::string remedy_of_file(const std::string& expected) {
+  return "give " + expected + std::string(from_the_manifest);
+}
+
+/// What was probably meant by a path under which there is nothing; or empty. A path has a single
+/// slash where an address has two.
+std::string hint_about_path(const std::filesystem::path& file) {
+  const std::string text = file.string();
+  if (text.find("http:/") != std::string::npos || text.find("https:/") != std::string::npos)
+    return "files are not fetched from the web: download it, and give the path of the copy";
+  if (std::ranges::find(file, "~") != file.end())
+    return "~ is not replaced by your home folder: write the whole path";
+  if (text.find('\\') != std::string::npos) return "write / instead of \\ between folders";
+  return "";
+}
+
+}  // namespace
+
 void append(std::vector<Fault>& faults, std::vector<Fault> more) {
   faults.insert(faults.end(), std::make_move_iterator(more.begin()),
                 std::make_move_iterator(more.end()));
@@ -53,8 +73,9 @@ void FaultList::check_file(const std::string& path, const std::filesystem::path&
   if (problem.empty()) return;
   std::error_code unknown;
   const bool is_there = std::filesystem::exists(file, unknown);
-  add(path, is_there ? file.string() + " " + problem : "there is no file " + file.string(),
-      "give " + expected + std::string(from_the_manifest));
+  if (is_there) return add(path, file.string() + " " + problem, remedy_of_file(expected));
+  const std::string hint = hint_about_path(file);
+  add(path, "there is no file " + file.string(), hint.empty() ? remedy_of_file(expected) : hint);
 }
 
 }  // namespace mien::pipeline
