@@ -1,6 +1,7 @@
 #include "motion/examples/example_set.h"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <map>
 #include <set>
@@ -152,6 +153,38 @@ void make_blendable(const ExampleFolder& folder, LoadedExamples& loaded) {
   }
 }
 
+FittedFile read_motion(const ExampleFolder& folder, const fs::path& file) {
+  ReadOptions how = folder.how;
+  if (!may_hold_takes(file)) how.take.reset();
+  FittedFile read = read_fitted(file, how);
+  if (read.recording.frame_count() < 2)
+    throw Error({file.string()}, "it holds fewer than two frames",
+                "give a motion, not a pose, or omit it with exclude");
+  return read;
+}
+
+/// Throws one Error about all files that cannot be read.
+std::vector<FittedFile> read_all(const ExampleFolder& folder, const std::vector<fs::path>& files) {
+  std::vector<FittedFile> all;
+  std::vector<std::string> faults;
+  std::exception_ptr first;
+  for (const fs::path& file : files) {
+    try {
+      all.push_back(read_motion(folder, file));
+    } catch (const Error& fault) {
+      if (!first) first = std::current_exception();
+      faults.push_back(fault.what());
+    }
+  }
+  if (faults.size() == 1) std::rethrow_exception(first);
+  if (faults.empty()) return all;
+  constexpr std::size_t most_named = 6;
+  throw Error({folder.path.string()},
+              std::to_string(faults.size()) +
+                  " files cannot be used: " + first_of(faults, most_named, " | "),
+              "mend them, or omit them with exclude");
+}
+
 constexpr std::string_view separators = "_. ";
 
 bool is_separator(char c) { return separators.find(c) != std::string_view::npos; }
@@ -223,16 +256,13 @@ LoadedExamples load_examples(const ExampleFolder& folder) {
   std::vector<std::optional<FitQuality>> fits;
   LoadedExamples loaded;
   const std::vector<fs::path> files = example_files(folder);
-  for (const fs::path& file : files) {
-    ReadOptions how = folder.how;
-    if (!may_hold_takes(file)) how.take.reset();
-    FittedFile read = read_fitted(file, how);
+  for (FittedFile& read : read_all(folder, files)) {
+    const std::string name = files[recordings.size()].filename().string();
     recordings.push_back(std::move(read.recording));
     fits.push_back(std::move(read.fit));
-    for (const std::string& note : recordings.back().notes) {
-      loaded.warnings.push_back(file.filename().string() + ": " + note);
-    }
-    loaded.file_stems.push_back(recording_name(file));
+    for (const std::string& note : recordings.back().notes)
+      loaded.warnings.push_back(name + ": " + note);
+    loaded.file_stems.push_back(recording_name(files[recordings.size() - 1]));
   }
   const std::vector<std::string> names = names_of(folder, loaded.file_stems);
   const std::vector<BodyMapping> mappings = mappings_of(recordings);

@@ -32,6 +32,27 @@ TEST(ExampleSet, OfNoFolderOrNoMatchIsRefused) {
             std::string::npos);
 }
 
+TEST(ExampleSet, NamesAllFilesThatCannotBeUsed) {
+  const test::TemporaryFolder own;
+  ExampleFolder folder;
+  folder.path = own.path();
+  std::ofstream(folder.path / "broken.bvh") << "HIERARCHY\nROOT Hips\n";
+  std::string said = test::refusal_of([&] { load_examples(folder); });
+  EXPECT_TRUE(said.starts_with((folder.path / "broken.bvh").string() + ":")) << said;
+  std::ofstream(folder.path / "empty.bvh") << "";
+  std::ofstream(folder.path / "pose.bvh")
+      << "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition Zposition "
+         "Zrotation "
+         "Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 1\nFrame Time: "
+         "0.1\n0 0 0 0 0 0\n";
+  said = test::refusal_of([&] { load_examples(folder); });
+  EXPECT_TRUE(said.starts_with(folder.path.string() + ": 3 files cannot be used: ")) << said;
+  for (const char* part :
+       {"broken.bvh:", " | ", "empty.bvh:", "pose.bvh: it holds fewer than two frames",
+        "; mend them, or omit them with exclude"})
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+}
+
 TEST(ExampleSet, LeavesHiddenFilesOut) {
   ExampleFolder folder;
   folder.path = fs::path(testing::TempDir()) / "mien-hidden-files";
