@@ -62,9 +62,9 @@ struct LoadedExamples {
 /// the body of the first one (retarget.h). If, in addition, no example loops, detected keytimes are
 /// reduced to the same number (`even_keytimes`); if all examples run, detected keytimes are those
 /// of running (`use_flight_keytimes`). Throws Error naming all files that are unreadable or poses,
-/// or one that is not human; in a blendable set, if numbers of keytimes differ, with the number and the reason for
-/// each example; if a name occurs twice; and if manual keytimes are missing for a file or refer to
-/// one that does not exist.
+/// or one that is not human; in a blendable set, if numbers of keytimes differ, with the number and
+/// the reason for each example; if a name occurs twice; and if manual keytimes are missing for a
+/// file or refer to one that does not exist.
 LoadedExamples load_examples(const ExampleFolder& folder);
 
 /// Short labels for a group of files: the prefix and suffix common to all stems (file names without

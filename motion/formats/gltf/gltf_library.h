@@ -18,10 +18,10 @@ struct GltfFile {
   std::vector<int> human_nodes = {};  ///< the bones of a VRM file, named as VRM does; else empty
 };
 
-/// Parses a text or binary glTF file, VRM files among them: the nodes of their bones get VRM's names
-/// ("hips", "leftUpperArm") in place of their own. Buffer files are read from `folder`; without it
-/// they are refused. Meshes are not read, but nodes still show that they have one; materials and
-/// images are ignored. Throws mien::Error.
+/// Parses a text or binary glTF file, VRM files among them: the nodes of their bones get VRM's
+/// names, "hips" and "leftUpperArm", in place of their own. Buffer files are read from `folder`;
+/// without it they are refused. Meshes are not read, but nodes still show that they have one;
+/// materials and images are ignored. Throws mien::Error.
 GltfFile parse_gltf_file(std::string_view bytes, const std::string& name,
                          const std::optional<std::filesystem::path>& folder);
 

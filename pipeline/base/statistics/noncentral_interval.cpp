@@ -33,8 +33,9 @@ double root_of_falling(auto&& function, double low, double step) {
   return 0.5 * (from + to);
 }
 
-/// Noncentralities (t², or F times its degrees of freedom) above which the effect's own spread is
-/// nothing beside that of the error, 0.06 % of it, and the series of Boost become slow and fail.
+/// Noncentralities (t², or F times its degrees of freedom) above which the effect's own spread,
+/// below 0.07 % of them, is nothing beside that of the error, and the series of Boost are slow and
+/// fail.
 constexpr double overwhelming = 1e7;
 
 /// The factor by which an error of that many degrees of freedom is exceeded with the probability

@@ -138,11 +138,11 @@ void show(const RatingEstimators& estimators, const std::vector<EstimatedMotion>
   for (const ScaleEstimator& e : estimators.estimators)
     console.out << fmt::format("{:22} {:>8} {:>8} {:>8} {:8.3f}  {}\n", e.scale,
                                rounded(e.check.ceiling), rounded(e.check.r_squared),
-                               rounded(e.check.r_squared / e.check.ceiling), e.check.p,
-                               !e.is_usable()                ? "not predicted: do not use"
-                               : e.reaches_aim()             ? "60 % of the ceiling reached"
-                               : std::isnan(e.check.ceiling) ? ""
-                                                             : "below 60 % of the ceiling");
+                               rounded(e.share_of_ceiling()), e.check.p,
+                               !e.is_usable()                     ? "not predicted: do not use"
+                               : e.reaches_aim()                  ? "60 % of the ceiling reached"
+                               : std::isnan(e.share_of_ceiling()) ? ""
+                                                                  : "below 60 % of the ceiling");
   console.out
       << "\nR² with all motions of a style left out. Ceiling: R² of an estimator that knows "
          "what all people\nwould answer on average. p: of permutations of the styles' "

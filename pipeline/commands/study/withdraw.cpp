@@ -150,12 +150,14 @@ int withdraw(const WithdrawOptions& options, const Console& console) {
         one.session, std::string(word_of(session_end_words, SessionEnd::withdrawn)));
     console.out << fmt::format("{}: records deleted: {}; the session is counted as withdrawn\n",
                                one.store->file().string(), erased);
+  }
+  const bool is_complete = print_tables_to_remake(files, who.ids, console) == 0;
+  for (const StoreWithSession& one : stores)
     if (one.store->has_erased_log())
       throw Error({one.store->file().string() + "-wal"},
                   "still contains what was deleted, because the disk is full",
-                  "free some space and run the command again");
-  }
-  return print_tables_to_remake(files, who.ids, console) == 0 ? exit_done : exit_failed;
+                  "free some space, and start and stop mien study serve with the file");
+  return is_complete ? exit_done : exit_failed;
 }
 
 }  // namespace

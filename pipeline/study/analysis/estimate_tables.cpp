@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace mien::pipeline {
@@ -55,10 +54,7 @@ constexpr auto estimate_checks_columns = table_of<ScaleRow>(
       "cross-validated R² with all motions of a style left out; below 0: worse than the mean",
       [](auto& r) { return r.of.check.r_squared; }},
      {"share_of_ceiling", "", "r_squared / ceiling; empty if the ceiling is not above 0",
-      [](auto& r) {
-        return known(r.of.check.ceiling > 0.0 ? r.of.check.r_squared / r.of.check.ceiling
-                                              : std::numeric_limits<double>::quiet_NaN());
-      }},
+      [](auto& r) { return known(r.of.share_of_ceiling()); }},
      {"reaches_aim", "0/1", "1: share_of_ceiling is at least 0.6",
       [](auto& r) { return r.of.reaches_aim(); }},
      {"p", "", "share of permutations of the styles' ratings with at least this R²",

@@ -149,9 +149,11 @@ RatingReliability reliability_of(const MeanRatings& ratings) {
 
 bool ScaleEstimator::is_usable() const { return check.r_squared > 0.0 && check.p <= 0.05; }
 
-bool ScaleEstimator::reaches_aim() const {
-  return check.r_squared >= aimed_share_of_ceiling * check.ceiling && check.ceiling > 0.0;
+double ScaleEstimator::share_of_ceiling() const {
+  return check.ceiling > 0.0 ? check.r_squared / check.ceiling : not_known;
 }
+
+bool ScaleEstimator::reaches_aim() const { return share_of_ceiling() >= aimed_share_of_ceiling; }
 
 EstimateCheck check_without_styles(const RatedMotions& motions, const MeanRatings& ratings) {
   const RatingReliability reliability = reliability_of(ratings);

@@ -67,7 +67,9 @@ struct ScaleEstimator {
 
   /// Whether the estimates say more than the mean: R² > 0 and p ≤ 0.05.
   bool is_usable() const;
-  /// Whether R² is 60 % of the ceiling or more.
+  /// R² / ceiling; NaN unless the ceiling is above 0.
+  double share_of_ceiling() const;
+  /// Whether that is 60 % or more.
   bool reaches_aim() const;
 };
 

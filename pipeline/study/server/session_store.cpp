@@ -185,6 +185,7 @@ void SessionStore::add_to_count(const std::string& name) {
             "value = CAST(CAST(value AS INTEGER) + 1 AS TEXT)")
       .with(name)
       .finish();
+  empty_erased_log();
 }
 
 void SessionStore::begin(const std::vector<std::pair<std::string, std::string>>& facts,
@@ -203,6 +204,7 @@ void SessionStore::add(const StoredSession& session, const StoredRecord& first) 
   insert_session(database_, session);
   insert_record(database_, first);
   transaction.commit();
+  empty_erased_log();
 }
 
 std::vector<StoredSession> SessionStore::sessions() {

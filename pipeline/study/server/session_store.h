@@ -94,8 +94,8 @@ class SessionStore {
   /// Deletes all records of a session and the times at which it began, removes its number from
   /// answers to steps, and stores how it ended.
   /// What was deleted is overwritten in the file and its write-ahead log; if there is no space to
-  /// empty the log, has_erased_log() is true until the next call that stores something, or the end,
-  /// has emptied it. Returns the number of deleted records.
+  /// empty the log, has_erased_log() is true until a later call of `add`, `add_to_count` or `keep`
+  /// has emptied it, or the store is closed. Returns the number of deleted records.
   int erase_records(int session, const std::string& ended);
 
   /// Whether the write-ahead log still contains what was deleted.

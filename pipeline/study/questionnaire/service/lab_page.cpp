@@ -57,6 +57,7 @@ nlohmann::ordered_json lab_status(const ServedStudy& study, const StudySessions&
           {"steps", sessions.step_progress()},
           {"has_traces", has_continuous_trials(study)},
           {"trouble", last_failure},
+          {"has_erased_log", sessions.store().has_erased_log()},
           {"planned", study.plans.size()},
           {"join", "/join/" + sessions.join_link() + "/"},
           {"refused_at_join", sessions.refusals()},

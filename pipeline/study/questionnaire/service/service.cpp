@@ -111,10 +111,6 @@ QuestionnaireService::QuestionnaireService(const ServedStudy& study, SessionStor
 
 std::string QuestionnaireService::last_failure() const {
   const std::lock_guard lock(last_failure_mutex_);
-  if (last_failure_.empty() && sessions_.store().has_erased_log())
-    return sessions_.store().file().string() +
-           "-wal: still contains deleted answers, because the disk is full; they are overwritten "
-           "with the next answer that can be stored";
   return last_failure_;
 }
 

@@ -170,8 +170,11 @@ async function refresh(): Promise<void> {
     if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
     const status = (await answer.json()) as LabStatus;
     show(status);
-    setText(trouble, `Answers cannot be kept; participants' pages try again: ${status.trouble}`);
-    trouble.hidden = status.trouble === "";
+    setText(trouble, status.trouble !== ""
+      ? `Answers cannot be kept; participants' pages try again: ${status.trouble}`
+      : "The disk is full: deleted answers are still in the log of the file of answers (-wal). "
+        + "They are overwritten when the next answer can be stored.");
+    trouble.hidden = status.trouble === "" && !status.has_erased_log;
   } catch {
     setText(trouble, "The server cannot be reached; what is below may be old. "
       + "Answers that were given are kept; start mien study serve again to go on.");

@@ -10,6 +10,8 @@ export interface LabStatus {
   has_traces: boolean;
   /** Why answers cannot be kept; empty where they can. */
   trouble: string;
+  /** Whether deleted answers could not be overwritten yet, because the disk is full. */
+  has_erased_log: boolean;
   planned: number;
   /** Link for whoever comes. */
   join: string;

@@ -3,7 +3,7 @@ import type { PageRecord } from "../questionnaire/experiment";
 import { saveOnce, type TextFile } from "../questionnaire/files";
 import { participantsCsv } from "../questionnaire/rows";
 import { experimentOf, expectOwn, mayBegin, mayWithdraw, showEnding, showFormerEnd } from "../questionnaire/session_page";
-import { namedSession, type Store } from "../questionnaire/store";
+import { namedSession, SessionClosed, type Store } from "../questionnaire/store";
 import { earlyEndsOfLink, linkParameters, modeOfPage, root, showClosed, storeOf } from "../questionnaire/surroundings";
 import { waitNote } from "../questionnaire/text_view";
 import { endWithdrawalOffer } from "../questionnaire/withdrawal";
@@ -51,6 +51,7 @@ async function run<Plan extends LivePlan, Own extends LiveExperiment<Plan>>(stud
   if (!mayBegin(experiment, texts)) return;
   const ends = earlyEndsOfLink(mode, experiment, link);
   if (showFormerEnd(experiment, texts, {}, ends)) return;
+  if (experiment.enough) return showClosed(new SessionClosed("enough"), texts);
   const store = await storeOf<Plan>(mode, experiment, texts, {
     results: (session, records) => Object.values(study.tables(experiment, session, records))[0]!,
     files: (session, records) => ({

@@ -95,21 +95,33 @@ export async function jatosStore<Own extends { participant: string }>(
     mustChoose = !wanted;
   }
   const kept = own;
-  /** Tries until it is done, at most so often; whether it is. */
-  const send = async (does: () => Promise<unknown>, wait: Wait, most = Infinity) => {
-    for (let tries = 1; ; tries += 1) {
-      const slow = setTimeout(() => wait("saving"), 400);
-      try {
-        await does();
-        return true;
-      } catch {
-        wait("failed");
-        if (tries >= most) return false;
-        await pause(Math.min(300 * 1.6 ** tries, 10000));
-      } finally {
-        clearTimeout(slow);
-      }
+  /** Whether it was done, in one try. */
+  const isSent = async (does: () => Promise<unknown>, wait: Wait) => {
+    const slow = setTimeout(() => wait("saving"), 400);
+    try {
+      await does();
+      return true;
+    } catch {
+      return false;
+    } finally {
+      clearTimeout(slow);
     }
+  };
+  const send = async (does: () => Promise<unknown>, wait: Wait) => {
+    for (let tries = 0; !(await isSent(does, wait)); tries += 1) {
+      wait("failed");
+      await pause(Math.min(500 * 1.6 ** tries, 10000));
+    }
+  };
+  /** A file is refused if that fails again and again while JATOS can be reached. */
+  const isUploaded = async (text: string, name: string, wait: Wait) => {
+    for (let refusals = 0; refusals < 3; refusals += 1) {
+      if (await isSent(() => jatos.uploadResultFile!(text, name), wait)) return true;
+      wait("failed");
+      await pause(1000);
+      await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
+    }
+    return false;
   };
   const store: Store<Own> = {
     session: namedSession(experiment.sessions, kept.participant),
@@ -128,8 +140,7 @@ export async function jatosStore<Own extends { participant: string }>(
       await send(() => jatos.submitResultData(tables.results(store.session, kept.records)), wait);
     },
     mustFinish: () => !kept.is_handed_in,
-    // A JATOS that takes no files, or no more, keeps nobody from the last page: answers are in the result data, and all
-    // else in the data of the study session.
+    // A JATOS that takes no files, or no more, keeps nobody from the last page. Answers are in its result data.
     async finish(wait) {
       const files: [string, string][] = [
         ...Object.entries(tables.files(store.session, kept.records)),
@@ -137,9 +148,9 @@ export async function jatosStore<Own extends { participant: string }>(
       ];
       if (jatos.uploadResultFile)
         for (const [name, text] of files)
-          if (!await send(() => jatos.uploadResultFile!(text, `${store.session.participant}-${name}`), wait, 6)) break;
+          if (!await isUploaded(text, `${store.session.participant}-${name}`, wait)) break;
       kept.is_handed_in = true;
-      await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait, 6);
+      await send(() => jatos.setStudySessionData({ ...jatos.studySessionData, mien: kept }), wait);
     },
     async withdraw() {
       if (jatos.abortStudyWithoutRedirect) await jatos.abortStudyWithoutRedirect("withdrawn");

@@ -19,7 +19,7 @@ import { loadTurnView } from "./screen";
 import { RunPage } from "./run_page";
 import { enlargedWindow, runScreening, screeningFault } from "./screening";
 import { debrief, experimentOf, expectOwn, mayBegin, mayWithdraw, showEarlyEnd, showEnding, showFormerEnd } from "./session_page";
-import { namedSession, type Store } from "./store";
+import { namedSession, SessionClosed, type Store } from "./store";
 import { changedScale } from "./trials/continuous";
 import { earlyEndsOfLink, goOnWhereJoined, linkParameters, modeOfPage, root, showClosed, storeOf, type Mode } from "./surroundings";
 import { TextPage } from "./text_page";
@@ -98,7 +98,7 @@ async function keepScreening(own: Session, record: PageRecord, page: HTMLElement
 
 /** The session of a participant who was screened out. */
 async function turnAway({ mode, experiment, store, texts, parameters, ends }: Session): Promise<never> {
-  await store.finish(waitNote(root(), texts));
+  if (store.mustFinish?.() ?? true) await store.finish(waitNote(root(), texts));
   ends?.note("screened_out", participantRow(experiment, store.session, store.records));
   if (mode === "static") store.clear?.();
   const destination = store.destination?.() ?? destinationOf(experiment.recruitment, "screened_out");
@@ -227,7 +227,8 @@ async function main(): Promise<void> {
   if (!mayBegin(experiment, texts, given)) return;
   const ends = earlyEndsOfLink(mode, experiment, link);
   if (showFormerEnd(experiment, texts, given, ends, mode === "jatos" ? leaveJatos : undefined)) return;
-  await goOnWhereJoined(experiment, given);
+  await goOnWhereJoined(experiment, given, texts);
+  if (experiment.enough) return showClosed(new SessionClosed("enough"), texts);
   const store = await storeOf(mode, experiment, texts, {
     results: (session, records) => answersCsv(experiment, session, records),
     files: (session, records) => ({ "participants.csv": participantsCsv(experiment, session, records) }),

@@ -88,11 +88,11 @@ export class Drawer {
   constructor(private key: string) {}
 
   read<T>(): T | null {
-    let text: string | null = null;
+    // Only what could not be kept otherwise is in the window, and it is newer then.
+    let text: string | null = textsOfWindow()[this.key] ?? null;
     try {
-      text = localStorage.getItem(this.key);
+      text ??= localStorage.getItem(this.key);
     } catch { /* in the window alone */ }
-    text ??= textsOfWindow()[this.key] ?? null;
     return text === null ? null : (JSON.parse(text) as T);
   }
   write(value: unknown): void {
@@ -101,23 +101,18 @@ export class Drawer {
       localStorage.setItem(this.key, text);
       this.forgetInWindow();
     } catch {
-      // A full browser would keep the former text, which is read first.
-      this.forgetInBrowser();
       window.name = JSON.stringify({ ...textsOfWindow(), [this.key]: text });
     }
   }
   clear(): void {
     this.forgetInWindow();
-    this.forgetInBrowser();
+    try {
+      localStorage.removeItem(this.key);
+    } catch { /* nothing was kept */ }
   }
   private forgetInWindow(): void {
     const { [this.key]: forgotten, ...others } = textsOfWindow();
     if (forgotten !== undefined) window.name = JSON.stringify(others);
-  }
-  private forgetInBrowser(): void {
-    try {
-      localStorage.removeItem(this.key);
-    } catch { /* nothing was kept */ }
   }
 }
 
@@ -269,6 +264,28 @@ const postRecord = (base: string, record: PageRecord, wait: Wait): Promise<Answe
 const drawerOf = (experiment: { design: string }, base: string): Drawer =>
   new Drawer(`mien/${experiment.design}/${base}`);
 
+/**
+ * Tells the server once a minute that the page is open, since films and forms may take longer than it takes others for
+ * gone, whose plans it gives to new people: until half an hour after the last record, and while the page can be seen.
+ */
+class SignsOfLife {
+  private readonly timer = setInterval(() => this.give(), 60000);
+  private since = Date.now();
+
+  constructor(private readonly address: string) {}
+
+  renew(): void {
+    this.since = Date.now();
+  }
+  end(): void {
+    clearInterval(this.timer);
+  }
+  private give(): void {
+    if (Date.now() - this.since > 30 * 60000 || document.visibilityState === "hidden") return;
+    void fetch(this.address, { method: "HEAD", cache: "no-store" }).catch(() => {});
+  }
+}
+
 /** Each record is posted beside the page. */
 export function servedStore<Own extends Named>(experiment: Planned<Own>, base: string): Store<Own> {
   const session = experiment.sessions[0]!;
@@ -277,8 +294,8 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
     { participant: session.participant, name: randomName(), records: {} };
   const kept = new Set(experiment.kept ?? []);
   let { destination, ended } = experiment;
-  // Long films and forms send nothing for minutes; the server gives the plans of those who left to others.
-  setInterval(() => void fetch(`${base}session.json`, { method: "HEAD", cache: "no-store" }).catch(() => {}), 60000);
+  const isOwn = !experiment.browser || experiment.browser === own.name;
+  const signs = isOwn && !ended ? new SignsOfLife(`${base}session.json`) : undefined;
   return {
     session,
     name: own.name,
@@ -294,14 +311,19 @@ export function servedStore<Own extends Named>(experiment: Planned<Own>, base: s
         drawer.write(own);
       }
       kept.add(record.record);
+      signs?.renew();
+      if (ended) signs?.end();
     },
-    async finish() {},
+    async finish() {
+      signs?.end();
+    },
     destination: () => destination,
     ended: () => ended,
     clear: () => drawer.clear(),
     async withdraw() {
       const answer = await posted(`${base}withdrawal`, { session: own.name });
       if (!answer.ok) throw new Error(`The server refused the withdrawal (${answer.status}).`);
+      signs?.end();
       drawer.clear();
       return ((await answer.json()) as Answered).destination;
     },

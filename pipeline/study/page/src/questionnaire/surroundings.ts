@@ -4,7 +4,7 @@ import { jatosIds, jatosParameters, jatosStore, type Tables } from "./jatos";
 import { EarlyEnds } from "./early_ends";
 import { forgetJoined, joinedSession, personOf, rememberJoined, type Parameters } from "./recruitment";
 import { Declined, folderStore, isPassing, joiningStore, pause, servedStore, SessionClosed, unsentRecord,
-  type Store } from "./store";
+  type Store, type Wait } from "./store";
 import { waitNote } from "./text_view";
 import type { Texts } from "./texts";
 
@@ -45,7 +45,6 @@ export async function storeOf<Own extends { participant: string }>(
     const link = new URLSearchParams(location.search);
     return folderStore(experiment, link.get("participant"), personOf(experiment, link));
   }
-  if (experiment.enough) throw new SessionClosed("enough");
   if (experiment.joining)
     return joiningStore(experiment, base(), ({ url_parameters: given = {} }, path) =>
       rememberJoined(experiment, given, path));
@@ -64,20 +63,21 @@ export async function storeOf<Own extends { participant: string }>(
 
 /** Goes on in the session that the person of this link began before, if it is still there. */
 export async function goOnWhereJoined(
-  experiment: { design: string; joining?: boolean }, parameters: Parameters): Promise<void> {
+  experiment: { design: string; joining?: boolean }, parameters: Parameters, texts: Texts): Promise<void> {
   const path = experiment.joining && joinedSession(experiment, parameters);
   if (!path) return;
-  if (!(await isThere(path))) return forgetJoined(experiment, path);
+  if (!(await isThere(path, waitNote(root(), texts)))) return forgetJoined(experiment, path);
   location.replace(path);
   await new Promise(() => {});  // the other page goes on
 }
 
 /** Whether the session has not gone; asked until the server can tell. */
-async function isThere(path: string): Promise<boolean> {
+async function isThere(path: string, wait: Wait): Promise<boolean> {
   for (let tries = 0; ; tries += 1) {
     const answer = await fetch(`${path}session.json`, { cache: "no-store" }).catch(() => undefined);
     if (answer?.ok) return true;
     if (answer && !isPassing(answer.status)) return false;
+    wait("failed");
     await pause(Math.min(500 * 1.6 ** tries, 10000));
   }
 }
