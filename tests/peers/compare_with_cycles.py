@@ -59,8 +59,9 @@ def layers_in(file, part):
 def figure_in(file):
     """The part of a whole picture where its figure is, in whole blocks: left, top, width, height."""
     import numpy
-    normal = layers_in(file, (0, 0, WIDTH, HEIGHT))[2]
-    rows, columns = numpy.nonzero(numpy.abs(normal - (0.0, 1.0, 0.0)).max(axis=2) > 0.01)
+    _, albedo, normal, _ = layers_in(file, (0, 0, WIDTH, HEIGHT))
+    is_level = numpy.abs(normal - (0.0, 1.0, 0.0)).max(axis=2) < 0.01
+    rows, columns = numpy.nonzero(~is_level & (albedo.max(axis=2) > 0.0))
     left, top = (int(least) // BLOCK * BLOCK for least in (columns.min(), rows.min()))
     right, bottom = (min(-(-int(most + 1) // BLOCK) * BLOCK, end)
                      for most, end in ((columns.max(), WIDTH), (rows.max(), HEIGHT)))
