@@ -104,6 +104,37 @@ TEST_F(QuestionnairePage, TakesThoseWhomProlificSendsAndSendsThemBack) {
   }
 }
 
+// The third reads the study's own words, not those that are built in.
+TEST_F(QuestionnairePage, LeadsBackFromTheOpenLinkWhenAllPlacesAreTaken) {
+  std::string text = study_text;
+  text.replace(text.find("participants: 3"), 15, "participants: 1");
+  scratch->write("own.texts.yaml",
+                 "language: en\nquestionnaire: {enough: There is no room left.}\n");
+  text += "  texts: own.texts.yaml\n  recruitment: {prolific: {completed: CDONE}}\n";
+  const fs::path manifest = scratch->write("one-place.yaml", text);
+  const fs::path said = scratch->path() / "one-place.txt";
+  const Running server({"sh", "-c", "told=$1; shift; exec \"$@\" >\"$told\"", "sh", said.string(),
+                        MIEN_PROGRAM, "study", "serve", manifest.string(), "--out",
+                        (scratch->path() / "out").string(), "--port", "0", "--json", "--store",
+                        (scratch->path() / "one-place.db").string()});
+  json places;
+  for (int tries = 0; tries < 3000 && !places.is_object(); ++tries) {
+    pause_for(0.1);
+    places = json::parse(text_of(said), nullptr, false);
+  }
+  ASSERT_TRUE(places.is_object());
+  const json read =
+      output_of({(page_tests() / "all_places_taken.mjs").string(), places.at("join")});
+  EXPECT_EQ(read.at("troubles"), json::array());
+  EXPECT_EQ(read.at("first").at("path"), read.at("done"));
+  EXPECT_NE(read.at("first").at("said").get<std::string>().find("CDONE"), std::string::npos);
+  EXPECT_EQ(read.at("slow").at("path"), read.at("under"));
+  EXPECT_EQ(read.at("slow").at("said").get<std::string>().find("no room"), std::string::npos);
+  EXPECT_NE(read.at("third").at("said").get<std::string>().find("There is no room left."),
+            std::string::npos)
+      << read.at("third");
+}
+
 /// Participants with sound whom Prolific sends, in each of the ways to give a questionnaire.
 class ProlificRoundTrip : public QuestionnairePage {
  protected:

@@ -144,8 +144,7 @@ def report_agreement(agreement):
                   f"at most {100 * largest:+.2f} ± {100 * standard_error:.2f} % at {x}, {y}; "
                   f"{100 * max(beyond_noise(row['farthest']), 0.0):.2f} % beyond noise")
             limit = LARGEST_IN_FOLDS if name == "folds" else LARGEST_DIFFERENCE
-            agree = agree and abs(largest) <= limit
-        agree = agree and any(subjects[name]["blocks"] > 0 for name in ("figure", "folds"))
+            agree = agree and row["blocks"] > 0 and abs(largest) <= limit
     print("  they agree" if agree else f"  they differ by more than {100 * LARGEST_DIFFERENCE} % "
                                       f"(folds: {100 * LARGEST_IN_FOLDS} %)")
     return agree

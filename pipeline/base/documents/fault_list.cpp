@@ -24,7 +24,7 @@ std::string remedy_of_file(const std::string& expected) {
 std::string hint_about_path(const std::filesystem::path& file) {
   const std::string text = file.string();
   if (text.find("http:/") != std::string::npos || text.find("https:/") != std::string::npos)
-    return "files are not fetched from the web: download it, and give the path of the copy";
+    return "files are not fetched from the web: download this one, and give the path of the copy";
   if (std::ranges::find(file, "~") != file.end())
     return "~ is not replaced by your home folder: write the whole path";
   if (text.find('\\') != std::string::npos) return "write / instead of \\ between folders";
