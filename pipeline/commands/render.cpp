@@ -125,8 +125,9 @@ std::string make_file(const RenderOptions& options, const RenderPlan& plan,
 }
 
 /// Throws Error if a file to be written is an input, or the other file to be written.
-void refuse_lost_files(const RenderOptions& options, const fs::path& out) {
-  std::vector<std::string> inputs;
+void refuse_lost_files(const RenderOptions& options, const RenderPlan& plan) {
+  const fs::path& out = plan.out;
+  std::vector<std::string> inputs = {plan.look.scene_file.string()};
   for (const NamedRecording& named : named_recordings(options.files, options.recording))
     inputs.push_back(named.file);
   for (const std::string& input : inputs) {
@@ -141,7 +142,7 @@ void refuse_lost_files(const RenderOptions& options, const fs::path& out) {
 
 int render_file(const RenderOptions& options, const Console& console) {
   const RenderPlan plan = plan_of(options);
-  refuse_lost_files(options, plan.out);
+  refuse_lost_files(options, plan);
   print_warnings(plan.warnings, console);
   const scenes::Shot shot = shot_of(options, plan, console);
   if (!options.dots.empty() && shot.actors.front().dots.empty())

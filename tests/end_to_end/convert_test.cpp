@@ -173,6 +173,7 @@ TEST_F(Convert, NoCommandWritesOverWhatItReads) {
                                 .string();
   scratch_.write("words.csv",
                  "participant,language,motion,verb,modifier1\n1,suomi,a,kävelee,hitaasti\n");
+  scratch_.write("my.set.yaml", "background: \"#101010\"\n");
   fs::create_directory(at("targets"));
   scratch_.write("targets/targets.csv", "mine\n");
   const auto before = files_in(scratch_.path());
@@ -187,6 +188,9 @@ TEST_F(Convert, NoCommandWritesOverWhatItReads) {
            {{"render", at("walk.csv"), "--figure", "markers", "-o", at("x.png"), "--dots",
              at("walk.csv")},
             "walk.csv: is the input file"},
+           {{"render", at("walk.bvh"), "--figure", "point-light", "--scene", at("my.set.yaml"),
+             "-o", at("x.png"), "--dots", at("my.set.yaml")},
+            "my.set.yaml: is the input file"},
            {{"render", at("walk.bvh"), "--figure", "point-light", "-o", at("x.png"), "--dots",
              at("./x.png")},
             "x.png: would be written twice"},

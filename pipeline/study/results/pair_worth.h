@@ -65,12 +65,15 @@ struct PairWorth {
   TransitivityViolations transitivity;
   std::vector<ParticipantTriads> triads;
 
-  /// The reported interval; of implied comparisons, which depend on each other, none that treats
-  /// answers as independent.
+  /// Whether intervals are reported: of implied comparisons, which depend on each other, none that
+  /// treat answers as independent.
+  bool has_intervals() const { return is_by_participants || !is_implied; }
+
+  /// The reported interval; NaN without one.
   Interval95 ends_of(const StimulusWorth& one) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    if (is_by_participants) return one.by_participants;
-    return is_implied ? Interval95{none, none} : one.by_answers;
+    if (!has_intervals()) return {none, none};
+    return is_by_participants ? one.by_participants : one.by_answers;
   }
 };
 

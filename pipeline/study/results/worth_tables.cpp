@@ -63,7 +63,7 @@ constexpr auto worth_columns = result_table<WorthRow>(
       "likelihood, treating all answers as independent); empty for sets whose participants are too "
       "few for an interval",
       [](auto& r) {
-        return r.all.is_by_participants ? "participants" : r.all.is_implied ? "" : "answers";
+        return !r.all.has_intervals() ? "" : r.all.is_by_participants ? "participants" : "answers";
       }},
      {"bootstrap_low", "log-odds", "lower end of the interval from resampled participants",
       [](auto& r) { return r.of.by_participants.low; }},

@@ -29,9 +29,9 @@ IntervalChart worth_chart(const AnswerSet& answer_set, const PairWorth& worth) {
   chart.title = (are_stimuli ? "Worth of the stimuli: " : "Worth of the conditions: ") +
                 pair_question(answer_set, worth.item);
   chart.words =
-      std::string(worth.is_by_participants ? "With 95 % intervals (participants resampled); "
-                  : worth.is_implied
-                      ? "Without intervals; "
+      std::string(!worth.has_intervals() ? "Without intervals; "
+                  : worth.is_by_participants
+                      ? "With 95 % intervals (participants resampled); "
                       : "With 95 % intervals (profile likelihood, answers independent); ") +
       "a difference of 1: odds of 2.7 to 1 of being chosen";
   std::vector<const StimulusWorth*> sorted;
@@ -74,7 +74,9 @@ void add_worth_figures(const Results& results, std::vector<ResultFigure>& figure
   for (const PairWorth& worth : results.worths)
     figures.push_back(
         {"worth-" + worth.item, "worth", "", "",
-         "Log-worths of Bradley and Terry’s model with 95 % intervals, highest first.",
+         worth.has_intervals()
+             ? "Log-worths of Bradley and Terry’s model with 95 % intervals, highest first."
+             : "Log-worths of Bradley and Terry’s model, highest first.",
          with_simulated_mark(interval_plot(worth_chart(results.answer_set, worth)),
                              results.answer_set.simulated)});
 }

@@ -144,7 +144,7 @@ std::vector<std::string> worth_remarks(const Results& results) {
     if (!worth.is_by_participants && without < std::ssize(worth.stimuli))
       remarks.push_back(fmt::format(
           "{}: {}, because {}.", question,
-          worth.is_implied ? "no intervals" : "the intervals treat all answers as independent",
+          worth.has_intervals() ? "the intervals treat all answers as independent" : "no intervals",
           why_not_by_participants(worth)));
     if (worth.within_conditions > 0)
       remarks.push_back(fmt::format("{}: {} of two stimuli of the same condition {} not used.",
