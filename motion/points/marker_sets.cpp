@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "motion/points/marker_names.h"
+#include "motion/points/rig_joint_roles.h"
 #include "motion/text/words.h"
 
 namespace mien::motion {
@@ -91,13 +92,13 @@ std::size_t shared_beginning(std::span<const std::string> names) {
   return separator == std::string::npos ? 0 : separator + 1;
 }
 
-std::vector<std::string> plain_names(std::span<const std::string> points) {
+/// The names without a subject and without the beginning that they share.
+std::vector<std::string> short_names(std::span<const std::string> points) {
   const std::size_t beginning = shared_beginning(points);
   std::vector<std::string> names;
   for (const std::string& point : points) {
     const std::size_t colon = point.rfind(':');
-    names.push_back(
-        plain(std::string_view(point).substr(colon == std::string::npos ? beginning : colon + 1)));
+    names.push_back(point.substr(colon == std::string::npos ? beginning : colon + 1));
   }
   return names;
 }
@@ -202,7 +203,9 @@ std::vector<int> MarkerSet::points_of(Landmark landmark, Side side) const {
 
 MarkerSet recognised_marker_set(std::span<const std::string> points) {
   constexpr int fewest = 4;
-  const std::vector<std::string> names = plain_names(points);
+  const std::vector<std::string> spelled = short_names(points);
+  std::vector<std::string> names;
+  for (const std::string& name : spelled) names.push_back(plain(name));
   MarkerSet best;
   best.roles.resize(points.size());
   const MarkerNames* found = nullptr;
@@ -215,7 +218,11 @@ MarkerSet recognised_marker_set(std::span<const std::string> points) {
     most = count;
     found = &set;
   }
-  if (found) {
+  std::vector<std::optional<Role>> as_rig = rig_joint_roles(spelled);
+  if (known_count(as_rig) > most) {
+    best.name = "joints of a rig";
+    best.roles = std::move(as_rig);
+  } else if (found) {
     Spellings spellings;
     add_spellings(found->names, spellings);
     add_spellings(marker_abbreviations(), spellings);
