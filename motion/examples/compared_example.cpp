@@ -3,6 +3,7 @@
 #include "motion/examples/make_example.h"
 #include "motion/examples/settled_feet.h"
 #include "motion/formats/bvh/bvh.h"
+#include "motion/gait/contact.h"
 #include "motion/rig/body_mapping.h"
 
 namespace mien::motion {
@@ -10,9 +11,7 @@ namespace mien::motion {
 namespace {
 
 /// Whether feet that stand stand still in the world; those of a walk on the spot do not.
-bool travels_or_stands(const Clip& clip) {
-  return !clip.loops || !clip.cycle_displacement.isZero(1e-6);
-}
+bool travels_or_stands(const Clip& clip) { return !stays_in_place(clip); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@ namespace mien::motion {
 
 namespace {
 
+constexpr double exactly = 1e-6;  // metres
 constexpr int laps =
     3;  // a loop is looked at three times round; the middle lap has both neighbours
 
@@ -100,6 +101,26 @@ std::vector<FootPlant> plants_of_foot(const Clip& clip, bool left, const Contact
   return plants;
 }
 
+/// The common velocity of the feet of a clip while they are low.
+Vec3 velocity_of_planted_feet(const Clip& clip) {
+  std::vector<double> x;
+  std::vector<double> z;
+  for (const bool left : {true, false}) {
+    std::vector<Vec3> path;
+    for (const SolePoints& points : sole_paths(clip, left)) path.push_back(points.ball);
+    const std::vector<Vec3> velocity = derivative(path, clip.frames_per_second);
+    std::vector<double> heights;
+    for (const Vec3& position : path) heights.push_back(position.y());
+    const double low = percentile(heights, 30);
+    for (size_t t = 0; t < path.size(); ++t) {
+      if (heights[t] > low) continue;
+      x.push_back(velocity[t].x());
+      z.push_back(velocity[t].z());
+    }
+  }
+  return {percentile(x, 50), 0.0, percentile(z, 50)};
+}
+
 }  // namespace
 
 FootContact foot_contact(const Clip& clip, bool left, const ContactOptions& options) {
@@ -121,24 +142,16 @@ std::vector<FootPlant> foot_plants(const Clip& clip, const ContactOptions& optio
 }
 
 Vec3 floor_velocity(const Clip& loop) {
-  if (!loop.loops || !loop.cycle_displacement.isZero(1e-6)) return Vec3::Zero();
-  const Clip clip = unrolled(loop);
-  std::vector<double> x;
-  std::vector<double> z;
-  for (const bool left : {true, false}) {
-    std::vector<Vec3> path;
-    for (const SolePoints& points : sole_paths(clip, left)) path.push_back(points.ball);
-    const std::vector<Vec3> velocity = derivative(path, clip.frames_per_second);
-    std::vector<double> heights;
-    for (const Vec3& position : path) heights.push_back(position.y());
-    const double low = percentile(heights, 30);
-    for (size_t t = 0; t < path.size(); ++t) {
-      if (heights[t] > low) continue;
-      x.push_back(velocity[t].x());
-      z.push_back(velocity[t].z());
-    }
-  }
-  return {percentile(x, 50), 0.0, percentile(z, 50)};
+  constexpr double slowest_walk = 0.1;    // m/s
+  constexpr double slowest_floor = 0.15;  // m/s, under a loop that does not come back exactly
+  const double travel = horizontal(loop.cycle_displacement).norm();
+  if (!loop.loops || travel > slowest_walk * loop.duration_seconds()) return Vec3::Zero();
+  const Vec3 velocity = velocity_of_planted_feet(unrolled(loop));
+  return travel < exactly || velocity.norm() >= slowest_floor ? velocity : Vec3::Zero();
+}
+
+bool stays_in_place(const Clip& clip) {
+  return clip.loops && (clip.cycle_displacement.isZero(exactly) || !floor_velocity(clip).isZero());
 }
 
 }  // namespace mien::motion

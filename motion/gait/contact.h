@@ -33,7 +33,12 @@ FootContact foot_contact(const Clip& clip, bool left, const ContactOptions& opti
 std::vector<FootPlant> foot_plants(const Clip& clip, const ContactOptions& options = {});
 
 /// Velocity of the floor under a looping clip that walks in place, m/s, world space: the common
-/// velocity of the planted feet. Zero for clips that are not in place or do not loop.
+/// velocity of the planted feet. Zero for clips that are not in place or do not loop. Cycles cut
+/// from a capture on a treadmill do not end exactly where they began: a loop is in place if it
+/// moves by less than 0.1 m/s, and if it moves at all, only on a floor of 0.15 m/s or more.
 Vec3 floor_velocity(const Clip& loop);
+
+/// Whether a loop stays where it is: without displacement, or walking on a floor that moves.
+bool stays_in_place(const Clip& clip);
 
 }  // namespace mien::motion

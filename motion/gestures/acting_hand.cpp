@@ -50,21 +50,6 @@ std::vector<Vec3> tips_from_rest(const Clip& clip, bool left) {
   return tips;
 }
 
-/// Whether the person walks or runs, rather than standing or shifting weight: at some time the root
-/// moves faster than `slowest_walk` on average over two seconds (or over all of a shorter clip).
-bool is_locomotion(const Clip& clip) {
-  const size_t last = clip.poses.size() - 1;
-  const size_t span =
-      std::min(last, static_cast<size_t>(std::lround(2.0 * clip.frames_per_second)));
-  double farthest = 0.0;
-  for (size_t f = span; f <= last; ++f) {
-    farthest = std::max(
-        farthest,
-        horizontal(clip.poses[f].root_position - clip.poses[f - span].root_position).norm());
-  }
-  return farthest > slowest_walk * static_cast<double>(span) / clip.frames_per_second;
-}
-
 double path_of(const std::vector<Vec3>& places) {
   double path = 0.0;
   for (size_t i = 1; i < places.size(); ++i) path += (places[i] - places[i - 1]).norm();
@@ -116,6 +101,19 @@ std::vector<double> stroke_ends(const std::vector<Vec3>& away, const Frames& hel
 }
 
 }  // namespace
+
+bool is_locomotion(const Clip& clip) {
+  const size_t last = clip.poses.size() - 1;
+  const size_t span =
+      std::min(last, static_cast<size_t>(std::lround(2.0 * clip.frames_per_second)));
+  double farthest = 0.0;
+  for (size_t f = span; f <= last; ++f) {
+    farthest = std::max(
+        farthest,
+        horizontal(clip.poses[f].root_position - clip.poses[f - span].root_position).norm());
+  }
+  return farthest > slowest_walk * static_cast<double>(span) / clip.frames_per_second;
+}
 
 std::optional<Gesture> acting_hand(const Clip& clip) {
   if (clip.loops || clip.frame_count() < 2 || is_locomotion(clip)) return std::nullopt;

@@ -21,10 +21,13 @@ struct Gesture {
   std::vector<double> strokes;
 };
 
-/// The gesture of a clip of the canonical body. Empty for a loop, for locomotion (the root moves at
-/// more than 0.25 m/s over two seconds; arms that swing far are not a gesture), if no wrist rises
-/// by 15 cm more than it hangs, and if both do so and the wrist of one moves less than 1.5 times as
-/// far as that of the other.
+/// Whether the person walks or runs, rather than standing or shifting weight: at some time the root
+/// moves at more than 0.25 m/s on average over two seconds (or over all of a shorter clip).
+bool is_locomotion(const Clip& clip);
+
+/// The gesture of a clip of the canonical body. Empty for a loop, for locomotion (arms that swing
+/// far are not a gesture), if no wrist rises by 15 cm more than it hangs, and if both do so and the
+/// wrist of one moves less than 1.5 times as far as that of the other.
 std::optional<Gesture> acting_hand(const Clip& clip);
 
 }  // namespace mien::motion

@@ -213,7 +213,9 @@ Clip with_repaired_feet(const Clip& clip, const Clip& original,
   }
   if (plants.empty()) return clip;
   const Clip still_feet = with_feet_above_floor(with_still_feet(original, plants), original);
-  return with_plants_carried_over(clip, still_feet, plants);
+  return with_toe_clearance(
+      with_plants_of(with_hip_shift_beyond(original, clip, still_feet, plants), still_feet, plants),
+      still_feet, plants);
 }
 
 }  // namespace mien::motion

@@ -49,9 +49,15 @@ std::vector<Vec3> without_gaps(const std::vector<std::optional<Vec3>>& known, bo
   return filled;
 }
 
+/// Horizontal movement of the pivot of a planted foot to the next frame.
+Vec3 slide_of(const FootPath& path, int frame, bool on_heel) {
+  return horizontal(on_heel ? Vec3(path.heel_at(frame + 1) - path.heel_at(frame))
+                            : Vec3(path.ball_at(frame + 1) - path.ball_at(frame)));
+}
+
 /// What has to be added to the root in each interval (frame to next frame) for planted feet to
-/// stand, horizontally.
-std::vector<Vec3> shifts(const Clip& clip, const Clip& original,
+/// stand, or to slide as in `captured`, horizontally.
+std::vector<Vec3> shifts(const Clip& clip, const Clip& original, const Clip* captured,
                          const std::vector<FootPlant>& plants) {
   const int count = clip.frame_count();
   std::vector<std::optional<Vec3>> sums(static_cast<size_t>(clip.loops ? count : count - 1));
@@ -59,15 +65,15 @@ std::vector<Vec3> shifts(const Clip& clip, const Clip& original,
   for (const bool left : {true, false}) {
     const FootPath path = foot_path(clip, left);
     const FootPath known = foot_path(original, left);
+    const FootPath own = foot_path(captured ? *captured : original, left);
     for (const FootPlant& plant : plants) {
       if (plant.left != left) continue;
       const FootLockOptions options = lock_defaults();
       const Stance stance = stance_of(known, plant, options.flat_metres, options.lifted_metres);
       for (int f = stance.first; f < stance.last; ++f) {
         const bool on_heel = f < stance.flat_first;
-        Vec3 slide = on_heel ? Vec3(path.heel_at(f + 1) - path.heel_at(f))
-                             : Vec3(path.ball_at(f + 1) - path.ball_at(f));
-        slide.y() = 0.0;
+        Vec3 slide = slide_of(path, f, on_heel);
+        if (captured) slide -= slide_of(own, f, on_heel);
         const auto at = static_cast<size_t>(path.wrapped(f));
         sums[at] = sums[at].value_or(Vec3::Zero()) - slide;
         ++feet[at];
@@ -119,13 +125,11 @@ Vec3 unwanted(const Vec3& drift, const Clip& original) {
   return drift - drift.dot(forward) * forward;
 }
 
-}  // namespace
-
-Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
-                    HipPath path) {
+Clip shifted(const Clip& clip, const Clip& original, const Clip* captured,
+             const std::vector<FootPlant>& plants, HipPath path) {
   Clip result = clip;
   if (plants.empty() || clip.frame_count() < 2) return result;
-  std::vector<Vec3> shift = shifts(clip, original, plants);
+  std::vector<Vec3> shift = shifts(clip, original, captured, plants);
   std::vector<Vec3> rise = rises(clip, original, plants, path);
   if (path == HipPath::smooth) {
     const SignalEnds ends = clip.loops ? SignalEnds::periodic : SignalEnds::open;
@@ -145,6 +149,18 @@ Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<Fo
     if (f < shift.size()) way += shift[f] - correction;
   }
   return result;
+}
+
+}  // namespace
+
+Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
+                    HipPath path) {
+  return shifted(clip, original, nullptr, plants, path);
+}
+
+Clip with_hip_shift_beyond(const Clip& captured, const Clip& clip, const Clip& original,
+                           const std::vector<FootPlant>& plants) {
+  return shifted(clip, original, &captured, plants, HipPath::smooth);
 }
 
 }  // namespace mien::motion

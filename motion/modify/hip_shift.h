@@ -27,4 +27,10 @@ enum class HipPath {
 Clip with_hip_shift(const Clip& clip, const Clip& original, const std::vector<FootPlant>& plants,
                     HipPath path);
 
+/// As above with a smooth path, but the root moves only by what the modification made the feet
+/// slide: the slide of the same feet in `captured` is subtracted, so that a change of nothing
+/// leaves the root's path and its speed as captured. `original` is `captured` with still feet.
+Clip with_hip_shift_beyond(const Clip& captured, const Clip& clip, const Clip& original,
+                           const std::vector<FootPlant>& plants);
+
 }  // namespace mien::motion

@@ -137,9 +137,12 @@ void write_remarks(ModificationReport& report, const Modification& asked, bool s
     report.remarks.push_back("no foot is planted, so feet were not locked: " + unplanted_feet());
   }
   if (report.plants > 0) {
-    std::snprintf(
-        text, sizeof text, "foot sliding of up to %.1f mm in %d contacts was reduced to %.1f mm",
-        1000.0 * report.drift_before_repair, report.plants, 1000.0 * report.drift_after_repair);
+    const bool is_less = report.drift_after_repair <= report.drift_before_repair;
+    std::snprintf(text, sizeof text,
+                  is_less ? "foot sliding of up to %.1f mm in %d contacts was reduced to %.1f mm"
+                          : "foot sliding of up to %.1f mm in %d contacts became up to %.1f mm",
+                  1000.0 * report.drift_before_repair, report.plants,
+                  1000.0 * report.drift_after_repair);
     report.remarks.emplace_back(text);
   }
   if (report.hand_correction > 0.001) {
@@ -378,7 +381,7 @@ ModifiedClip modify(const Clip& clip, const Modification& asked) {
   report.drift_before_repair = planted_drift(with_root_of(done.posed, reference), stood);
   report.drift_after_repair = planted_drift(repaired, stood);
   if (travels(original)) report.travel_ratio = way(repaired) / way(original);
-  const bool in_its_place = clip.loops && clip.cycle_displacement.isZero(1e-6);
+  const bool in_its_place = stays_in_place(clip);
   write_remarks(report, m, in_its_place);
   if (m.hands == FingerPaths::scaled && !has_fingers(clip))
     report.remarks.emplace_back("the motion has no fingers, so that they could not be scaled");

@@ -254,7 +254,7 @@ Clip with_swing(const Clip& clip, const RelativeChange& change) {
       for (const BodyJoint each : {joint, mirrored(joint)})
         multiply_swing(result, each, change.step_length);
   }
-  if (change.arm_swing != 1.0 && clip.loops) {
+  if (change.arm_swing != 1.0 && (clip.loops || is_locomotion(clip))) {
     for (const BodyJoint joint : {LeftClavicle, LeftShoulder, LeftElbow, LeftWrist})
       for (const BodyJoint each : {joint, mirrored(joint)})
         multiply_swing(result, each, change.arm_swing);

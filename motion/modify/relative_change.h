@@ -69,10 +69,11 @@ std::vector<PostureChange> posture_of(const RelativeChange& change, const Clip& 
 
 /// The clip with the swing of its limbs and trunk multiplied: each rotation's deviation from its
 /// mean over a loop, or from its course below 0.3 Hz in another clip (continued beyond the ends by
-/// the motion backwards), where arms keep their swing; of the knees of a loop the deviation from
-/// where they are straightest. The legs keep their orientation when the pelvis rotates less or
-/// more; for more sway they lean, so that the pelvis moves when the feet are held. The root's path
-/// does not change, so feet may slide (see foot_repair.h).
+/// the motion backwards), in which arms keep their swing unless it is locomotion (acting_hand.h);
+/// of the knees of a loop the deviation from where they are straightest. The legs keep their
+/// orientation when the pelvis rotates less or more; for more sway they lean, so that the pelvis
+/// moves when the feet are held. The root's path does not change, so feet may slide (see
+/// foot_repair.h).
 Clip with_swing(const Clip& clip, const RelativeChange& change);
 
 }  // namespace mien::motion

@@ -35,14 +35,22 @@ struct FeatureCurves {
 
 constexpr double samples_per_second = 30.0;
 
-/// The way walked, its left, and up.
+/// Forward, its left, and up.
 struct Directions {
   Vec3 forward, left, up;
 };
 
-Directions directions_of(const Clip& clip) {
-  const Vec3 forward = mean_direction(clip);
+Directions directions_of(const Vec3& forward) {
   return {forward, Vec3::UnitY().cross(forward), Vec3::UnitY()};
+}
+
+/// The line of travel towards where the body faces: against the travel of someone who walks
+/// backwards.
+Vec3 front_of(const Clip& clip) {
+  const Vec3 travel = mean_direction(clip);
+  Vec3 facing = Vec3::Zero();
+  for (const Pose& pose : clip.poses) facing += pose.rotations[Pelvis] * Vec3::UnitZ();
+  return facing.dot(travel) < 0.0 ? Vec3(-travel) : travel;
 }
 
 /// One cycle, evenly sampled.
@@ -61,6 +69,15 @@ Samples sampled(const Clip& clip) {
     samples.poses.push_back(world_transforms(clip.body, pose_at(clip, k * duration / steps)));
   }
   return samples;
+}
+
+/// The curve turned by whole circles so that its mean is within 180° of `middle`: the branch must
+/// not depend on the frame with which a curve begins.
+void turn_to(double middle, std::vector<double>& curve) {
+  if (curve.empty()) return;
+  const double mean = std::accumulate(curve.begin(), curve.end(), 0.0) / curve.size();
+  const double turns = 2.0 * pi * std::round((middle - mean) / (2.0 * pi));
+  for (double& angle : curve) angle += turns;
 }
 
 double next_to(double previous, double angle) {
@@ -164,9 +181,27 @@ void turn_outward(FeatureCurves& curves) {
   }
 }
 
+/// Angles of arms around 90°, forward and outward, since a raised arm is at 180°; others around 0.
+void settle_circles(FeatureCurves& curves) {
+  for (SegmentAngles* trunk : {&curves.torso, &curves.head}) {
+    turn_to(0.0, trunk->forward);
+    turn_to(0.0, trunk->sideways);
+  }
+  for (const size_t side : {0u, 1u}) {
+    for (SegmentAngles* arm : {&curves.upper_arm[side], &curves.forearm[side]}) {
+      turn_to(0.5 * pi, arm->forward);
+      turn_to(side == 0 ? 0.5 * pi : -0.5 * pi, arm->sideways);
+    }
+    for (SegmentAngles* leg : {&curves.thigh[side], &curves.shin[side], &curves.foot[side]}) {
+      turn_to(0.0, leg->forward);
+      turn_to(0.0, leg->sideways);
+    }
+  }
+}
+
 FeatureCurves feature_curves(const Example& example, const FeatureOptions& options) {
   const Clip& clip = example.clip;
-  const Directions to = directions_of(clip);
+  const Directions to = directions_of(front_of(clip));
   const Samples samples = sampled(clip);
   FeatureCurves curves;
   for (const JointTransforms& pose : samples.poses) {
@@ -174,8 +209,9 @@ FeatureCurves feature_curves(const Example& example, const FeatureOptions& optio
     append_segment(curves.head, head_of(clip.body, pose), to, Pointing::up);
     for (const size_t side : {0u, 1u}) append_limbs(curves, side, clip.body, pose, to);
   }
+  settle_circles(curves);
   if (options.outward) turn_outward(curves);
-  add_mass_curves(curves, clip, samples, to, options.masses);
+  add_mass_curves(curves, clip, samples, directions_of(mean_direction(clip)), options.masses);
   return curves;
 }
 

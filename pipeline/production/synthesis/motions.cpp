@@ -71,8 +71,7 @@ motion::Distance Motions::distance(const std::string& target, const std::string&
 const motion::Example& Motions::measured(const std::string& name) {
   const motion::Example& made = of(name).motion;
   const Stimulus* requested = stimulus(name);
-  const bool is_on_the_spot = made.clip.loops && made.clip.cycle_displacement.isZero(1e-6);
-  if (requested == nullptr || !requested->clip || is_on_the_spot) return made;
+  if (requested == nullptr || !requested->clip || motion::stays_in_place(made.clip)) return made;
   Entry& found = entry(name);
   std::call_once(found.measured_once, [&] {
     found.settled = made;

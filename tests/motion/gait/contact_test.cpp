@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/gait/loop.h"
+#include "motion/procedural/walker.h"
 #include "motion/skeleton/straighten.h"
 #include "motion/synthetic_walk.h"
 
@@ -60,6 +61,23 @@ TEST(Contact, OfALoopRunsOverItsSeam) {
   EXPECT_TRUE(contact.foot[0]);
   EXPECT_TRUE(contact.foot[99]);
   EXPECT_FALSE(contact.foot[50]);
+}
+
+TEST(Contact, ALoopStaysInPlaceThoughItsCycleDoesNotCloseExactly) {
+  const Clip clip = walk({}, 60.0, standard_body()).clip;
+  EXPECT_FALSE(stays_in_place(clip));
+  EXPECT_TRUE(floor_velocity(clip).isZero());
+  for (const double drift : {0.0, 0.0005, 0.02}) {
+    const Clip belt = travelling(in_place(clip), Vec3(drift, 0.0, 0.0));
+    EXPECT_TRUE(stays_in_place(belt)) << drift;
+    EXPECT_NEAR(floor_velocity(belt).norm(),
+                clip.cycle_displacement.norm() / clip.duration_seconds(), 0.1);
+  }
+  // Somebody who creeps along on planted feet does not walk on a treadmill.
+  Clip standing = clip;
+  for (Pose& pose : standing.poses) pose = clip.poses.front();
+  standing.cycle_displacement = Vec3::Zero();
+  EXPECT_FALSE(stays_in_place(travelling(standing, Vec3(0.0, 0.0, 0.05))));
 }
 
 TEST(Contact, InPlaceIsToldByTheVelocityOfTheFloor) {

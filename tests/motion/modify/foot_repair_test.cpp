@@ -8,6 +8,7 @@
 #include "motion/math/rotation.h"
 #include "motion/modify/hip_shift.h"
 #include "motion/modify/path_length.h"
+#include "motion/modify/relative_change.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/sole.h"
 #include "motion/synthetic_walk.h"
@@ -105,6 +106,28 @@ TEST(FootRepair, LetsPlantedFeetStandInTheirOwnRoll) {
 
 // Rolling off over toes that stay straight, or bend twice as far, a foot would go through the
 // floor.
+TEST(FootRepair, LeavesTheWayOfACaptureWhoseFeetSlide) {
+  // A modification that changes nothing must not change how far and how fast somebody walks.
+  Clip sliding = repeated(ordinary(), 3);
+  const double step = 0.0006;  // metres a frame: 6 cm/s
+  for (size_t f = 0; f < sliding.poses.size(); ++f)
+    sliding.poses[f].root_position.z() += step * static_cast<double>(f);
+  const auto plants = foot_plants(sliding);
+  ASSERT_GT(planted_drift(sliding, plants), 0.02);
+  const Clip same = with_repaired_feet(sliding, sliding, plants, FootRepair::plants);
+  EXPECT_LT(planted_drift(same, plants), 0.003);
+  for (size_t f = 0; f < same.poses.size(); ++f) {
+    ASSERT_LT(horizontal(same.poses[f].root_position - sliding.poses[f].root_position).norm(),
+              1e-9);
+  }
+  // What a modification adds still moves the root: legs that swing half as far.
+  const Clip half = with_swing(sliding, {.step_length = 0.5});
+  const Clip repaired = with_repaired_feet(half, sliding, plants, FootRepair::plants);
+  const double way = sliding.poses.back().root_position.z();
+  EXPECT_LT(repaired.poses.back().root_position.z(), 0.8 * way);
+  EXPECT_GT(repaired.poses.back().root_position.z(), 0.3 * way);
+}
+
 TEST(FootRepair, BendsToesOfPlantedFeetAsTheyStood) {
   const Clip clip = ordinary();
   const auto plants = foot_plants(clip);

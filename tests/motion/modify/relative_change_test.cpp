@@ -136,6 +136,14 @@ TEST(RelativeChange, MultipliesTheSwingOfArmsAboutTheirOwnMean) {
   }
 }
 
+TEST(RelativeChange, MultipliesTheSwingOfArmsInACapturedWalk) {
+  const Clip take = repeated(walking(), 4);
+  ASSERT_FALSE(take.loops);
+  const Clip swung = with_swing(take, {.arm_swing = 0.2});
+  for (const BodyJoint arm : {LeftShoulder, RightShoulder})
+    EXPECT_NEAR(swing_of(swung, arm), 0.2 * swing_of(take, arm), 0.1 * swing_of(take, arm));
+}
+
 TEST(RelativeChange, LeavesTheArmsOfAGestureAlone) {
   const Clip clip = knock({}, 30.0, standard_body()).clip;
   const Clip swung = with_swing(clip, {.arm_swing = 0.3});

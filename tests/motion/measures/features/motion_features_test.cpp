@@ -1,5 +1,6 @@
 #include "motion/measures/features/motion_features.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -12,11 +13,14 @@
 #include "motion/procedural/builtin_sets.h"
 #include "motion/procedural/walker.h"
 #include "motion/skeleton/mirror.h"
+#include "motion/skeleton/straighten.h"
 
 #include "real_data.h"
 
 namespace mien::motion {
 namespace {
+
+Example normal_walk() { return builtin_examples("walks-10").examples.front(); }
 
 constexpr double step_m = 0.7;
 constexpr double cycle_s = 1.1;
@@ -227,6 +231,54 @@ TEST(MotionFeatures, AngleOfAnArmSwungAllRoundHasNoJump) {
   const auto n = std::lround(30.0 * clip.duration_seconds()) + 1;
   EXPECT_NEAR(feature(v, "sigma-right-upper-arm-fb"),
               360.0 / std::sqrt(12.0) * std::sqrt((n + 1.0) / (n - 1.0)), 1e-3);
+}
+
+TEST(MotionFeatures, AnglesOfARaisedArmDoNotDependOnWhereTheCycleBegins) {
+  // A forearm that swings about straight up: frames are on both sides of 180 degrees.
+  Example example = swinging_walker({});
+  for (Pose& pose : example.clip.poses)
+    pose.rotations[LeftShoulder] = about(Vec3::UnitX(), -pi + 0.1) * pose.rotations[LeftShoulder];
+  const FeatureValues values = measure_features(example);
+  std::vector<Pose>& poses = example.clip.poses;
+  for (const char* id : {"mu-left-forearm-fb", "mu-left-upper-arm-fb"}) {
+    EXPECT_GT(feature(values, id), 90.0) << id;
+    for (int turns = 0; turns < 6; ++turns) {
+      std::rotate(poses.begin(), poses.begin() + poses.size() / 6, poses.end());
+      EXPECT_NEAR(feature(measure_features(example), id), feature(values, id), 1e-9) << id;
+    }
+  }
+}
+
+TEST(MotionFeatures, OfAWalkOnATreadmillAreThoseOfTheWalk) {
+  const Example walked = normal_walk();
+  Example belt = walked;
+  belt.clip = in_place(walked.clip);
+  const int frames = belt.clip.frame_count();
+  for (const double drift_m : {0.0, 0.0005, 0.02}) {
+    Example drifting = belt;
+    for (int f = 0; f < frames; ++f)
+      drifting.clip.poses[f].root_position.x() += drift_m * f / frames;
+    drifting.clip.cycle_displacement.x() += drift_m;
+    EXPECT_NEAR(feature(measure_features(drifting), "mu-com-vel-fb"),
+                feature(measure_features(walked), "mu-com-vel-fb"), 0.06)
+        << drift_m;
+  }
+}
+
+TEST(MotionFeatures, OfWhoWalksBackwardsAreMeasuredFromTheFrontOfTheBody) {
+  const Example forwards = normal_walk();
+  Example backwards = forwards;
+  backwards.keytimes.clear();
+  Clip& clip = backwards.clip;
+  std::reverse(clip.poses.begin(), clip.poses.end());
+  clip.cycle_displacement = -clip.cycle_displacement;
+  const FeatureValues there = measure_features(forwards), back = measure_features(backwards);
+  for (const MotionFeature& of : motion_features()) {
+    const std::string id(of.id);
+    if (of.unit != FeatureUnit::degrees) continue;
+    EXPECT_NEAR(feature(back, id), feature(there, id), 0.5) << id;
+  }
+  EXPECT_NEAR(feature(back, "mu-com-vel-fb"), feature(there, "mu-com-vel-fb"), 1e-6);
 }
 
 TEST(MotionFeatures, ASteepFootSaysNothingOfItsTurn) {
