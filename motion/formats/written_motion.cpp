@@ -37,14 +37,22 @@ const MotionFormat& written_format(const std::filesystem::path& path) {
   return *format;
 }
 
-std::vector<std::filesystem::path> written_files(const std::filesystem::path& path) {
-  const MotionFormat& format = written_format(path);
-  const std::string name = path.filename().string();
-  const std::string beginning = name.substr(0, name.size() - format.written_ending.size());
-  std::vector<std::filesystem::path> files = {path};
-  for (const std::string_view companion : format.companions)
+std::vector<std::filesystem::path> companion_files(const std::filesystem::path& path) {
+  const MotionFormat* format = motion_format(path);
+  const std::string name = without_compression(path).filename().string();
+  if (format == nullptr || name.size() < format->written_ending.size()) return {};
+  const std::string beginning = name.substr(0, name.size() - format->written_ending.size());
+  std::vector<std::filesystem::path> files;
+  for (const std::string_view companion : format->companions)
     if (!companion.empty())
       files.push_back(path.parent_path() / (beginning + std::string(companion)));
+  return files;
+}
+
+std::vector<std::filesystem::path> written_files(const std::filesystem::path& path) {
+  (void)written_format(path);
+  std::vector<std::filesystem::path> files = companion_files(path);
+  files.insert(files.begin(), path);
   return files;
 }
 

@@ -15,6 +15,10 @@ namespace mien::motion {
 /// are written if it is none of them, is compressed, or has a name that the format does not allow.
 const MotionFormat& written_format(const std::filesystem::path& path);
 
+/// The files that would be written beside a motion file of this name, whether or not they exist.
+/// Empty if its format is not written.
+std::vector<std::filesystem::path> companion_files(const std::filesystem::path& path);
+
 /// The files that are written for a motion file: itself, and those that belong beside it, such as
 /// the description of a table. Throws as `written_format`.
 std::vector<std::filesystem::path> written_files(const std::filesystem::path& path);

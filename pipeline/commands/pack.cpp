@@ -34,8 +34,10 @@ namespace fs = std::filesystem;
 
 constexpr char pack_notes[] =
     "The archive is a bag (BagIt, RFC 8493): the study in data/, with SHA-256 sums beside it for "
-    "sha256sum -c manifest-sha256.txt. The same study with the same options gives the same bytes. "
-    "The study is verified first, and refused if anything is missing or changed.\n\n"
+    "sha256sum -c manifest-sha256.txt (which does not find files with % or line ends in their "
+    "names, as BagIt encodes these). The same study with the same options gives the same bytes. "
+    "The study is verified first, and refused if anything is missing or changed. Stale artifacts, "
+    "which other runs made in its folder, are left out and listed.\n\n"
     "data/ro-crate-metadata.json describes the study as a research object (RO-Crate). RO-Crate "
     "requires a date of publication and a licence: state --published and --license, and the author "
     "with --organization. --bids adds data/stimuli/, a folder for a BIDS dataset, with copies of "
@@ -162,6 +164,17 @@ void add_descriptions(const StudyContents& contents, const PackOptions& options,
   std::ranges::sort(payload, {}, &PayloadFile::path);
 }
 
+void warn_of_encoded_paths(const std::vector<PayloadFile>& payload, const Console& console) {
+  const std::vector<std::string> paths = encoded_paths(payload);
+  if (paths.empty()) return;
+  console.err << fmt::format(
+      "warning: data/{}{}: BagIt encodes %, line feeds and carriage returns in names, so that "
+      "sha256sum -c does not find such files; check the archive with mien verify or a program for "
+      "BagIt, or rename them\n",
+      motion::printable(paths.front()),
+      paths.size() == 1 ? "" : fmt::format(" and {} more", paths.size() - 1));
+}
+
 int run_pack(const PackOptions& options, const Console& console) {
   if (!options.info.published.empty()) require_date(options.info.published);
   const StudyContents contents = contents_of(options.study);
@@ -173,11 +186,12 @@ int run_pack(const PackOptions& options, const Console& console) {
   const Verification verification = verified_or_refused(contents, console);
   RecordingPacking packing{options.recordings, options.restricted};
   if (options.recordings) locate_recordings(contents, packing);
-  auto [payload, recordings] = packed_study(contents, packing);
+  auto [payload, recordings, stale] = packed_study(contents, packing);
   const std::map<std::string, std::string> omitted = left_out(contents, recordings);
   BagInfo info = options.info;
   info.left_out = left_out_note(omitted, recordings);
   add_descriptions(contents, options, info, payload, console);
+  warn_of_encoded_paths(payload, console);
   {
     ProgressBar bar(console.err, console.err_is_terminal);
     pack(contents, payload, info, archive, console.stop,
@@ -196,7 +210,8 @@ int run_pack(const PackOptions& options, const Console& console) {
                                            {"bytes", bytes},
                                            {"extra", extra},
                                            {"recordings", recordings.packed.size()},
-                                           {"left_out", omitted}};
+                                           {"left_out", omitted},
+                                           {"stale", stale}};
     const auto replace = nlohmann::ordered_json::error_handler_t::replace;
     console.out << result.dump(2, ' ', false, replace) << '\n';
     return exit_done;
@@ -206,6 +221,10 @@ int run_pack(const PackOptions& options, const Console& console) {
   for (const auto& [path, licence] : omitted)
     console.out << fmt::format("left out  {}: licence {}\n", motion::printable(path),
                                motion::printable(licence));
+  for (const std::string& path : stale)
+    console.out << fmt::format(
+        "left out  {}: stale, no part of the study as last made; mien clean --stale removes it\n",
+        motion::printable(path));
   console.out << fmt::format("{}: {}, {} files of {}\n", archive.string(),
                              size_text(fs::file_size(archive)), payload.size(), size_text(bytes));
   if (const std::vector<std::string> lacking = lacking_of_crate(info); !lacking.empty())

@@ -82,6 +82,9 @@ Hash repertoire_key(const Manifest& manifest, FileKeys& files) {
 }  // namespace
 
 SharedDeterminants shared_determinants(const Manifest& manifest, FileKeys& files) {
+  // What identifies participants is not in the copy from which the study is made again.
+  if (manifest.ratings.source == Ratings::Source::file)
+    files.set(manifest.ratings.file, hash_of(kept_ratings(manifest)));
   return {libraries_key(), repertoire_key(manifest, files), files};
 }
 

@@ -8,6 +8,8 @@
 #include "motion/procedural/builtin_sets.h"
 #include "motion/text/compressed_file.h"
 #include "motion/text/frame_file_name.h"
+#include "pipeline/base/documents/files.h"
+#include "pipeline/manifest/ratings/answers/identifying_columns.h"
 
 namespace mien::pipeline {
 
@@ -98,6 +100,11 @@ Answers given_answers(const Manifest& manifest) {
                       {.examples = rated_examples(manifest),
                        .left_out = {stems.begin(), stems.end()},
                        .ignore_unknown = manifest.ratings.ignore_unknown});
+}
+
+std::string kept_ratings(const Manifest& manifest) {
+  const std::filesystem::path& file = manifest.ratings.file;
+  return without_what_identifies(read_file(file), file.string());
 }
 
 }  // namespace mien::pipeline

@@ -40,4 +40,8 @@ std::vector<std::filesystem::path> motion_parts(const std::filesystem::path& fil
 /// Returns the answers in the file that the manifest's ratings name. Throws Error.
 Answers given_answers(const Manifest& manifest);
 
+/// Returns the contents of that file as they are kept with a study: without the columns that may
+/// identify participants, which affect no answer (identifying_columns.h). Throws Error.
+std::string kept_ratings(const Manifest& manifest);
+
 }  // namespace mien::pipeline

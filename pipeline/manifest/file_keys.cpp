@@ -23,6 +23,10 @@ const Hash& FileKeys::of(const std::filesystem::path& file) {
                                : files_.emplace(file, key_with_parts(file)).first->second;
 }
 
+void FileKeys::set(const std::filesystem::path& file, const Hash& content) {
+  files_[file] = KeyBuilder().add("file", file.filename().string()).add("content", content).key();
+}
+
 const Hash& FileKeys::of_character(const std::filesystem::path& file) {
   const auto known = characters_.find(file);
   if (known != characters_.end()) return known->second;

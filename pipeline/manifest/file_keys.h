@@ -14,6 +14,9 @@ class FileKeys {
  public:
   const Hash& of(const std::filesystem::path& file);
 
+  /// Sets the hash of a file of which only part counts: `content` is the hash of that part.
+  void set(const std::filesystem::path& file, const Hash& content);
+
   /// Returns the hash of a character's file including the buffers and images that it refers to.
   const Hash& of_character(const std::filesystem::path& file);
 

@@ -327,6 +327,21 @@ TEST_F(ArchiveOfRecordings, LeavesOutWhatMustNotBeShared) {
   EXPECT_TRUE(says(damaged.output, "missing   clips/free.bvh\n")) << damaged.output;
 }
 
+TEST_F(ArchiveOfRecordings, LeavesOutWhatAnEarlierRunMadeOfThem) {
+  std::string text = text_of(here / "m.yaml");
+  text.replace(text.find("clips: [bvh]"), 12, "clips: [glb]");
+  std::ofstream(here / "m.yaml") << text;
+  must_run(mien_with({"run", (here / "m.yaml").string(), "--out", (here / "out").string()}));
+  std::ofstream(here / "out/two/50 %.txt") << "mine";
+  const Ended packed =
+      run_mien({"pack", (here / "out/two").string(), "-o", (here / "two.tar").string(), "--json"});
+  EXPECT_EQ(packed.code, 0) << packed.errors;
+  EXPECT_TRUE(says(packed.errors, "warning: data/50 %.txt: BagIt encodes %")) << packed.errors;
+  EXPECT_EQ(json::parse(packed.output)["stale"],
+            (json{"clips/bound.bvh", "clips/changed.bvh", "clips/free.bvh"}));
+  EXPECT_FALSE(says(text_of(here / "two.tar"), "bound.bvh"));
+}
+
 TEST_F(ArchiveOfRecordings, HoldsTheOthersIfRequested) {
   pack({"--recordings"});
   EXPECT_EQ(text_of(bag / "data/recordings/captures/free.bvh"),

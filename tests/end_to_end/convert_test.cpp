@@ -140,7 +140,7 @@ TEST_F(Convert, WritesPointsWhoseNamesInfoLists) {
 TEST_F(Convert, RefusesBeforeAnythingIsWritten) {
   ASSERT_EQ(convert("walk.bvh", "walk.csv").code, 0);
   scratch_.write("dots.csv", "frame,time_s,point,x_m,y_m,z_m\n0,0,p,1,2,3\n1,0.1,p,1,2,3\n");
-  ASSERT_EQ(convert("walk.bvh", "walk.npy").code, 0);
+  ASSERT_EQ(convert("walk.bvh", "WALK.NPY").code, 0);
   fs::create_directory(at("taken.csv.json"));
   const auto before = files_in(scratch_.path());
   struct Request {
@@ -153,6 +153,7 @@ TEST_F(Convert, RefusesBeforeAnythingIsWritten) {
                             {"walk.bvh", "x.csv.gz", "compressed files are only read"},
                             {"walk.bvh", "x_motion.tsv", "is not a name of motion in BIDS"},
                             {"walk.csv", "walk.csv", "is the input file"},
+                            {"WALK.NPY", "WALK.npy", "WALK.npy.json: is the input file"},
                             {"dots.csv", "x.bvh", "its points cannot be fitted to a body"},
                             {"walk.bvh", "taken.csv", "cannot be written (Is a directory)", 1}}) {
     const Ended ended = convert(request.in, request.out);
@@ -174,6 +175,9 @@ TEST_F(Convert, NoCommandWritesOverWhatItReads) {
   scratch_.write("words.csv",
                  "participant,language,motion,verb,modifier1\n1,suomi,a,kävelee,hitaasti\n");
   scratch_.write("my.set.yaml", "background: \"#101010\"\n");
+  fs::create_directory(at("captures"));
+  fs::copy_file(at("walk.bvh"), at("captures/walk.bvh"));
+  scratch_.write("model.npz", "a model");
   fs::create_directory(at("targets"));
   scratch_.write("targets/targets.csv", "mine\n");
   const auto before = files_in(scratch_.path());
@@ -194,6 +198,14 @@ TEST_F(Convert, NoCommandWritesOverWhatItReads) {
            {{"render", at("walk.bvh"), "--figure", "point-light", "-o", at("x.png"), "--dots",
              at("./x.png")},
             "x.png: would be written twice"},
+           {{"motion", "blend", "--examples", at("captures"), "--weights", "walk=1", "-o",
+             at("captures/walk.bvh")},
+            "walk.bvh: is the input file"},
+           {{"motion", "convert", at("walk.npz"), at("model.npz"), "--body-model", at("model.npz")},
+            "model.npz: is the input file"},
+           {{"motion", "modify", at("walk.npz"), "sad", at("model.npz"), "--body-model",
+             at("model.npz")},
+            "model.npz: is the input file"},
            {{"farm", "export", study, "--format", "openjd", "-o", study, "--out", at("out")},
             "study.yaml: is the input file"},
            {{"study", "words", at("words.csv"), "--lexicon",

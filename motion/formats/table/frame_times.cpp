@@ -130,16 +130,19 @@ double seconds_per_unit(const MomentTimes& moments, double period, FrameTiming& 
   return 1e-3;
 }
 
-/// The nearest whole rate or NTSC rate if the times as written are also those of it, or else the
-/// rate of the period.
+/// The stated rate if the times as written are also those of it, or else the nearest whole or NTSC
+/// rate for which this is so, or else the rate of the period.
 double rate_of(const MomentTimes& moments, const TimeGrid& grid, double in_seconds) {
   const double rate = 1.0 / (grid.period * in_seconds);
   const auto frames = static_cast<double>(grid.frame_of.back());
   const double rounding = 1.01 * moments.last_digit + 1e-9 * grid.period;
+  const auto agrees = [&](double other) {
+    return std::abs(1.0 / (other * in_seconds) - grid.period) * frames <= rounding;
+  };
+  if (moments.stated_rate && *moments.stated_rate > 0.0 && agrees(*moments.stated_rate))
+    return *moments.stated_rate;
   for (const double usual : {std::round(rate), snapped_frame_rate(rate)}) {
-    if (usual < 1.0) continue;
-    const double drift = std::abs(1.0 / (usual * in_seconds) - grid.period) * frames;
-    if (drift <= rounding) return usual;
+    if (usual >= 1.0 && agrees(usual)) return usual;
   }
   return rate;
 }

@@ -45,7 +45,8 @@ struct FrameTiming {
 /// gaps.
 ///
 /// - Times are even if each differs by no more than a last digit and a hundredth of a frame from a
-///   regular grid. The rate is the usual one (frame_rate.h) if the times are as even with it.
+///   regular grid. The rate is the stated one, or else a usual one (frame_rate.h), if the times as
+///   written are also those of it.
 /// - If all steps of the numbers are multiples of n, each n-th is a frame.
 /// - A time column without a unit is in seconds; if that would be a frame a second or fewer, and
 ///   five or more in milliseconds, it is in milliseconds, and a note says so.

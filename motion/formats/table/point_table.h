@@ -25,11 +25,11 @@ namespace mien::motion {
 ///
 /// A column of times gives the frame rate, and one of frame numbers or times the gaps
 /// (frame_times.h). The description beside a long table that mien wrote ("walk.csv.json") gives the
-/// rate where its times do not, as with one frame. Cells that are empty, NaN, NA or n/a are missing
-/// (table_cell.h); a point is seen only where all three are given. Columns that are not understood
-/// are left out with a note. The unit is the one in the names of the columns or the header;
-/// otherwise the recording has none. Without a header row, the points are those of
-/// `options.joints`, three columns each.
+/// rate where its rounded times do not contradict it, or with one frame. Cells that are empty, NaN,
+/// NA or n/a are missing (table_cell.h); a point is seen only where all three are given. Columns
+/// that are not understood are left out with a note. The unit is the one in the names of the
+/// columns or the header; otherwise the recording has none. Without a header row, the points are
+/// those of `options.joints`, three columns each.
 ///
 /// Sources of the layouts: "Data Export: CSV" at docs.optitrack.com, and headers of files of both
 /// programs quoted in public repositories.

@@ -1,5 +1,7 @@
 #include "motion/formats/writing/point_description.h"
 
+#include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -29,9 +31,20 @@ void add_description(const PointRecording& points, const std::string& axes,
 }
 
 std::optional<double> described_rate(const std::filesystem::path& points) {
-  std::filesystem::path path = without_compression(points);
-  path += ".json";
-  if (!read_error(path, max_document_bytes).empty()) return std::nullopt;
+  const auto is_absent = [](const std::filesystem::path& file) {
+    return !read_error(file, max_document_bytes).empty();
+  };
+  const std::filesystem::path table = without_compression(points);
+  std::string ending = table.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::filesystem::path path = table;
+  path.replace_extension(ending + ".json");  // "WALK.csv.json" is written beside "WALK.CSV"
+  if (is_absent(path)) {
+    path = table;
+    path += ".json";
+  }
+  if (is_absent(path)) return std::nullopt;
   const std::string file = path.string();
   const nlohmann::json json =
       parse_json_text(read_contents(path), file, "a description of positions");

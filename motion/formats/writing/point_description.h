@@ -16,9 +16,9 @@ namespace mien::motion {
 void add_description(const PointRecording& points, const std::string& axes,
                      nlohmann::ordered_json& json);
 
-/// The frame rate in the description beside a file of points ("walk.csv.json" beside "walk.csv");
-/// none if there is no such file, or if it is another JSON, without `points`. Throws mien::Error
-/// with its path if it is no JSON or `frames_per_second` is not a number above 0.
+/// The frame rate in the description beside a file of points ("walk.csv.json" beside "walk.csv" or
+/// "walk.CSV"); none if there is no such file, or if it is another JSON, without `points`. Throws
+/// mien::Error with its path if it is no JSON or `frames_per_second` is not a number above 0.
 std::optional<double> described_rate(const std::filesystem::path& points);
 
 }  // namespace mien::motion

@@ -11,6 +11,7 @@
 #include "motion/formats/keypoints/keypoint_frames.h"
 #include "motion/formats/motion_file.h"
 #include "motion/formats/motion_format.h"
+#include "motion/formats/written_motion.h"
 #include "motion/text/excerpt.h"
 
 namespace mien::pipeline {
@@ -208,6 +209,17 @@ void refuse_own_input(const std::string& input, const std::string& written) {
   std::error_code unknown;
   if (std::filesystem::equivalent(input, written, unknown))
     throw Error(Place{written}, "is the input file", "name another file to write");
+}
+
+void refuse_own_inputs(const std::vector<std::filesystem::path>& inputs,
+                       const std::filesystem::path& out) {
+  for (const std::filesystem::path& written : motion::written_files(out)) {
+    for (const std::filesystem::path& input : inputs) {
+      refuse_own_input(input.string(), written.string());
+      for (const std::filesystem::path& companion : motion::companion_files(input))
+        refuse_own_input(companion.string(), written.string());
+    }
+  }
 }
 
 }  // namespace mien::pipeline

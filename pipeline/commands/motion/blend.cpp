@@ -42,6 +42,7 @@ void refuse_unknown(const NamedValues& weights, const std::vector<std::string>& 
 int blend(const BlendCommandOptions& options, const Console& console) {
   Manifest manifest;
   manifest.examples = examples_of(options.examples, options.recording);
+  refuse_own_inputs(repertoire_files(manifest), options.out);
   Stimulus stimulus;
   stimulus.id = "blend";
   stimulus.weights = parse_weights(options.weights);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "motion/error.h"
 #include "motion/fitting/recorded_points.h"
 #include "motion/formats/written_motion.h"
 #include "motion/points/point_axes.h"
@@ -102,8 +103,7 @@ Conversion converted(motion::FileContents contents, const ConvertOptions& option
 
 int convert(const ConvertOptions& options, const Console& console) {
   const NamedRecording named = named_recording(options.in, options.recording);
-  for (const std::filesystem::path& file : motion::written_files(options.out))
-    refuse_own_input(named.file, file.string());
+  refuse_own_inputs({named.file, named.how.body_model}, options.out);
   const Conversion conversion =
       converted(motion::read_file(named.file, named.how), options, console);
   motion::write_results(conversion.files);

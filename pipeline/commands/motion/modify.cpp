@@ -29,10 +29,12 @@ struct ModifyOptions {
 
 int modify_file(const ModifyOptions& options, const Console& console) {
   const NamedRecording named = named_recording(options.in, options.recording);
-  refuse_own_input(named.file, options.out);
+  refuse_own_inputs({named.file, named.how.body_model, options.recipes}, options.out);
   Stimulus stimulus = stimulus_of({named.file, options.change, options.recipes, options.on_fault});
+  for (const ModificationStep& step : stimulus.modify)
+    if (step.pose) refuse_own_inputs({step.pose->neutral.file, step.pose->posed.file}, options.out);
   stimulus.clip->how = {named.how.take.value_or(""), named.how.subject.value_or(""),
-                        named.how.frames_per_second, named.how.joints};
+                        named.how.frames_per_second, named.how.joints, named.how.body_model};
   stimulus.output.fps = options.fps > 0.0
                             ? options.fps
                             : motion::read_motion(named.file, named.how).frames_per_second;

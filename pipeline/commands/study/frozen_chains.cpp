@@ -109,7 +109,8 @@ FrozenArchive frozen_chains(const Manifest& manifest, Motions& motions, const Ch
   files["analysis.txt"] = analysis_text(adaptive, study.design);
   files["plans.csv"] = plans_csv(study.plans());
   files["experiment.json"] = study.experiment.dump(1) + "\n";
-  for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
+  for (const InputCopy& copy : input_copies(manifest))
+    files[copy.path] = contents_of_copy(manifest, copy);
   add_dummy_report(files, adaptive, study);
   FrozenArchive archive{.file = file, .bytes = zip_of(files), .files = files.size()};
   refuse_other_content(file, archive.bytes);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -79,26 +81,32 @@ std::set<std::string> heard_videos(const StudyContents& contents) {
   return heard;
 }
 
-/// Labels consist of letters and digits; no two ids have the same.
-class Labels {
- public:
-  const std::string& of(const std::string& id) {
-    const auto known = labels_.find(id);
-    if (known != labels_.end()) return known->second;
+std::string in_lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Labels by ids: letters and digits, and no two the same in lower case, since file names may not
+/// differ in it. Ids that consist of letters and digits are their own labels where possible.
+std::map<std::string, std::string> labels_of(const std::vector<std::string>& ids) {
+  const auto is_kept = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  std::map<std::string, std::string> labels;
+  std::set<std::string> used;  // in lower case
+  for (const std::string& id : ids)
+    if (!id.empty() && std::ranges::all_of(id, is_kept) && used.insert(in_lower_case(id)).second)
+      labels[id] = id;
+  for (const std::string& id : ids) {
+    if (labels.contains(id)) continue;
     std::string kept;
-    for (const char c : id)
-      if (std::isalnum(static_cast<unsigned char>(c)) != 0) kept += c;
+    std::ranges::copy_if(id, std::back_inserter(kept), is_kept);
     if (kept.empty()) kept = "stimulus";
     std::string label = kept;
-    for (int number = 2; !used_.insert(label).second; ++number)
+    for (int number = 2; !used.insert(in_lower_case(label)).second; ++number)
       label = kept + std::to_string(number);
-    return labels_[id] = label;
+    labels[id] = label;
   }
-
- private:
-  std::map<std::string, std::string> labels_;
-  std::set<std::string> used_;
-};
+  return labels;
+}
 
 /// A cell of a table of BIDS: "n/a" for what is not known; neither tabs nor line ends.
 std::string cell(std::string text) {
@@ -157,7 +165,7 @@ BidsStimuli bids_stimuli(const StudyContents& contents, const std::vector<Payloa
   BidsStimuli made;
   std::map<std::string, ShownStimulus> stimuli;  // by id
   for (const PayloadFile& file : payload) {
-    if (!file.path.starts_with("videos/")) continue;
+    if (!file.path.starts_with("videos/") || contents.find(file.path) == nullptr) continue;
     const std::optional<render::VideoKind> kind = render::video_kind_of(file.path);
     if (!kind) continue;
     const std::string name = fs::path(file.path).filename().string();
@@ -176,12 +184,14 @@ BidsStimuli bids_stimuli(const StudyContents& contents, const std::vector<Payloa
   std::string table = "stimulus_id\ttype\tlicense\tdescription\tfilename\tpresent";
   for (const AddedColumn& column : added_columns) table += std::string("\t") + column.name;
   table += "\n";
-  Labels labels;
+  std::vector<std::string> ids;
+  for (const auto& [id, stimulus] : stimuli) ids.push_back(id);
+  const std::map<std::string, std::string> labels = labels_of(ids);
   for (const auto& [id, stimulus] : stimuli) {
     const auto found = rows.find(id);
     const Row row = found == rows.end() ? Row{{"stimulus", id}} : found->second;
     const std::string description = found == rows.end() ? "" : description_of(row);
-    const std::string stem = fmt::format("stim-{}_{}", labels.of(id), stimulus.type);
+    const std::string stem = fmt::format("stim-{}_{}", labels.at(id), stimulus.type);
     std::string names;
     for (const auto& [extension, path] : stimulus.videos) {
       ++made.videos;
@@ -195,7 +205,7 @@ BidsStimuli bids_stimuli(const StudyContents& contents, const std::vector<Payloa
     if (!description.empty())
       made.files.push_back(
           text_file(stem + ".json", ordered_json{{"Description", description}}.dump(2) + "\n"));
-    table += fmt::format("stim-{}\t{}\t{}\t{}\t{}\ttrue", labels.of(id), stimulus.type,
+    table += fmt::format("stim-{}\t{}\t{}\t{}\t{}\ttrue", labels.at(id), stimulus.type,
                          cell(licence), cell(description), names);
     for (const AddedColumn& column : added_columns)
       table += "\t" + cell(field_of(row, column.source));

@@ -22,11 +22,11 @@ struct BidsStimuli {
 ///   stimuli/stim-<label>_video.json             description
 ///
 /// Labels are the ids of the stimuli without other characters than letters and digits; a number is
-/// appended to those that would be equal. Of several videos of a stimulus with the same extension,
-/// the first in the order of their paths is taken; animated pictures are omitted because the
-/// proposal has no place for them. `licence` is stated in stimuli.tsv unless it is empty. Videos
-/// that are not in `payload` are ignored. Throws Error if metrics/stimuli.csv or a film's record is
-/// damaged.
+/// appended to those that would be equal in lower case, first to ids with other characters. Of
+/// several videos of a stimulus with the same extension, the first in the order of their paths is
+/// taken; animated pictures are omitted because the proposal has no place for them. `licence` is
+/// stated in stimuli.tsv unless it is empty. Videos that are not in `payload` or that the study did
+/// not make are ignored. Throws Error if metrics/stimuli.csv or a film's record is damaged.
 BidsStimuli bids_stimuli(const StudyContents& contents, const std::vector<PayloadFile>& payload,
                          const std::string& licence);
 

@@ -14,6 +14,8 @@
 #include "pipeline/base/documents/sha256.h"
 #include "pipeline/production/archive/tar_archive.h"
 #include "pipeline/tasks/hash.h"
+#include "pipeline/tasks/receipt.h"
+#include "pipeline/tasks/stale_artifacts.h"
 #include "pipeline/tasks/task_graph.h"
 
 namespace mien::pipeline {
@@ -52,10 +54,23 @@ PayloadFile packed_recording(const RecordingRecord& recording, const RecordingPa
           file->second};
 }
 
+std::vector<Receipt> stale_receipts(const StudyContents& contents) {
+  std::vector<std::string> kept = {"provenance.json", contents.as_run};
+  for (const ArtifactRecord& record : contents.artifacts) kept.push_back(record.path);
+  for (const ArtifactRecord& record : contents.inputs) kept.push_back(record.path);
+  return stale_artifacts(contents.folder, {}, kept);
+}
+
 /// Collects files, those behind links too.
 class Payload {
  public:
-  explicit Payload(const fs::path& folder) : folder_(folder) {}
+  explicit Payload(const StudyContents& contents) : folder_(contents.folder) {
+    for (const Receipt& receipt : stale_receipts(contents)) {
+      stale_.insert(receipt.path);
+      for (const FrameReceipt& frame : receipt.frames)
+        stale_.insert(receipt.path + "/" + frame.name);
+    }
+  }
 
   void add(const std::string& path) {
     const fs::path file = folder_ / path;
@@ -73,7 +88,7 @@ class Payload {
       const bool is_folder = entry->is_directory(unknown) && !entry->is_symlink(unknown);
       if (is_bookkeeping(found)) {
         if (is_folder) entry.disable_recursion_pending();
-      } else if (!is_folder && !followed_.contains(found)) {
+      } else if (!is_folder && !followed_.contains(found) && !stale_.contains(found)) {
         add(found);
       }
     }
@@ -98,6 +113,7 @@ class Payload {
   const fs::path& folder_;
   std::map<std::string, std::uint64_t> sizes_;
   std::set<std::string> followed_;
+  std::set<std::string> stale_;
 };
 
 /// Writes the parts of a bag in the order of their names.
@@ -158,8 +174,24 @@ class BagWriter {
 
 }  // namespace
 
+std::vector<std::string> stale_in_study(const StudyContents& contents) {
+  std::vector<std::string> paths = shown_paths(stale_receipts(contents));
+  std::erase_if(paths, [&](const std::string& path) {
+    std::error_code unknown;
+    return !fs::exists(fs::symlink_status(contents.folder / path, unknown));
+  });
+  return paths;
+}
+
+std::vector<std::string> encoded_paths(const std::vector<PayloadFile>& payload) {
+  std::vector<std::string> paths;
+  for (const PayloadFile& file : payload)
+    if (file.path.find_first_of("%\r\n") != std::string::npos) paths.push_back(file.path);
+  return paths;
+}
+
 std::vector<PayloadFile> payload_of(const StudyContents& contents) {
-  Payload payload(contents.folder);
+  Payload payload(contents);
   for (const ArtifactRecord& record : contents.artifacts) {
     if (record.frames > 0) payload.add_frames(record.path);
   }
@@ -172,6 +204,7 @@ std::vector<PayloadFile> payload_of(const StudyContents& contents) {
 
 PackedStudy packed_study(const StudyContents& contents, const RecordingPacking& packing) {
   PackedStudy packed;
+  packed.stale = stale_in_study(contents);
   for (const PayloadFile& file : payload_of(contents)) {
     const ArtifactRecord* artifact = contents.find(file.path);
     const bool is_restricted = artifact != nullptr && !artifact->restricting.empty();

@@ -34,6 +34,7 @@ struct RecordingPacking {
 struct PackedStudy {
   std::vector<PayloadFile> payload;  ///< sorted by path
   PackedRecordings recordings;
+  std::vector<std::string> stale;  ///< left out (stale_in_study)
 };
 
 /// Returns the files of a study (payload_of) with its recordings, if requested. Unless restricted
@@ -65,9 +66,16 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
 /// returns and % are encoded as %0A, %0D and %25, as the RFC requires.
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
-/// Returns all files in a study's folder except bookkeeping and what was added by an archive from
-/// which it was unpacked (is_only_in_archive), sorted by path. Frame sequences may be links to
-/// folders. Throws Error for anything else that is neither a file nor a folder.
+/// Paths of the artifacts in a study's folder that an earlier run made and the study no longer has,
+/// sorted. Its provenance tells nothing about them: not even whether they may be shared.
+std::vector<std::string> stale_in_study(const StudyContents& contents);
+
+/// Paths with characters that the manifest of a bag encodes: sha256sum cannot find these files.
+std::vector<std::string> encoded_paths(const std::vector<PayloadFile>& payload);
+
+/// Returns all files in a study's folder except bookkeeping, stale artifacts and what was added by
+/// an archive from which it was unpacked (is_only_in_archive), sorted by path. Frame sequences may
+/// be links to folders. Throws Error for anything else that is neither a file nor a folder.
 std::vector<PayloadFile> payload_of(const StudyContents& contents);
 
 /// Writes a study as a bag (BagIt, RFC 8493) into a tar archive, in a folder with the study's name:

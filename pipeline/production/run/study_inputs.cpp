@@ -93,6 +93,10 @@ void put_text(Store& store, const std::string& path, const std::string& text) {
       path, key, [&](const fs::path& file) { write_file(file, text); }, [](const fs::path&) {});
 }
 
+bool are_ratings(const Manifest& manifest, const InputCopy& copy) {
+  return manifest.ratings.source == Ratings::Source::file && copy.source == manifest.ratings.file;
+}
+
 void add_motion_file(std::vector<fs::path>& files, const fs::path& file) {
   if (file.empty()) return;
   files.push_back(file);
@@ -162,6 +166,10 @@ std::vector<InputCopy> input_copies(const Manifest& manifest) {
   return copies;
 }
 
+std::string contents_of_copy(const Manifest& manifest, const InputCopy& copy) {
+  return are_ratings(manifest, copy) ? kept_ratings(manifest) : read_file(copy.source);
+}
+
 void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read,
                 Store& store) {
   for (const auto& [name, hash] : hashes_of_inputs(manifest)) {
@@ -171,7 +179,7 @@ void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_
                 "run it again: only what depends on the change is made again");
   }
   const std::vector<InputCopy> copies = input_copies(manifest);
-  for (const InputCopy& copy : copies) put_text(store, copy.path, read_file(copy.source));
+  for (const InputCopy& copy : copies) put_text(store, copy.path, contents_of_copy(manifest, copy));
   const Manifest again = as_run(manifest, copies, store.folder());
   const fs::path folder = (store.folder() / as_run_path).parent_path();
   put_text(store, as_run_path, manifest_yaml(again, folder));
@@ -203,7 +211,8 @@ std::map<fs::path, std::string> names_of_uncopied_inputs(const Manifest& manifes
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest) {
   std::map<std::string, Hash> hashes;
   for (const InputCopy& copy : input_copies(manifest))
-    hashes[copy.path] = hash_of_file(copy.source);
+    hashes[copy.path] =
+        are_ratings(manifest, copy) ? hash_of(kept_ratings(manifest)) : hash_of_file(copy.source);
   for (const auto& [file, name] : names_of_uncopied_inputs(manifest))
     hashes[name] = hash_of_file(file);
   return hashes;

@@ -28,6 +28,10 @@ struct InputCopy {
 /// them.
 std::vector<InputCopy> input_copies(const Manifest& manifest);
 
+/// Returns the contents of a copy: those of the file, except that ratings are without the columns
+/// that may identify participants (kept_ratings). Throws Error.
+std::string contents_of_copy(const Manifest& manifest, const InputCopy& copy);
+
 /// Writes the copies and `as_run_path` into the study's folder. `as_read` are the hashes of the
 /// inputs when the study was planned; throws Error if one has changed since.
 void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_read, Store& store);
@@ -38,7 +42,8 @@ void put_inputs(const Manifest& manifest, const std::map<std::string, Hash>& as_
 /// machine is not part of it.
 std::map<std::filesystem::path, std::string> names_of_uncopied_inputs(const Manifest& manifest);
 
-/// Returns the hashes of all input files of the study. Keys are the paths of the copies and, for
+/// Returns the hashes of all input files of the study: of the contents that are copied, and of the
+/// files that are not. Keys are the paths of the copies and, for
 /// files that are not copied, their names (names_of_uncopied_inputs).
 std::map<std::string, Hash> hashes_of_inputs(const Manifest& manifest);
 

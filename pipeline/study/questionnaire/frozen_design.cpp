@@ -185,7 +185,8 @@ ZipFiles described(const Manifest& manifest, const std::vector<SessionPlan>& pla
   files["scale_words.csv"] = scale_words_csv(questionnaire_scales(manifest).scales);
   files["analysis-plan.txt"] = analysis_plan_text(manifest);
   files["inputs.csv"] = inputs_csv(manifest);
-  for (const InputCopy& copy : input_copies(manifest)) files[copy.path] = read_file(copy.source);
+  for (const InputCopy& copy : input_copies(manifest))
+    files[copy.path] = contents_of_copy(manifest, copy);
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include "motion/text/as_number.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/answers/identifying_columns.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/study/results/summaries.h"
 
@@ -109,22 +110,6 @@ std::set<std::string> ParticipantTable::finished() const {
   }
   return names;
 }
-
-namespace {
-
-/// Parameters of participants' links and closing comments may identify people: neither reports nor
-/// datasets get them.
-void leave_out_what_identifies(CsvTable& table) {
-  for (std::size_t column = table.header.size(); column-- > 0;) {
-    const std::string& name = table.header[column].text;
-    if (!is_parameter_column(name) && name != "closing_comment") continue;
-    const auto at = static_cast<std::ptrdiff_t>(column);
-    table.header.erase(table.header.begin() + at);
-    for (std::vector<CsvField>& row : table.rows) row.erase(row.begin() + at);
-  }
-}
-
-}  // namespace
 
 ParticipantTable read_participants(const std::filesystem::path& file) {
   ParticipantTable participants{read_csv(file)};

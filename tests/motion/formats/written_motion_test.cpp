@@ -107,6 +107,23 @@ TEST(WrittenMotions, OfOneFrameKeepTheirFrameRate) {
   }
 }
 
+/// With few frames, rounded times are those of several rates.
+TEST(WrittenPoints, OfFewFramesKeepRatesThatAreNotWhole) {
+  const mien::test::TemporaryFolder folder;
+  std::mt19937_64 random(15);
+  for (const std::string name : {"walk.csv", "WALK.CSV"}) {
+    for (const double rate : {12.5, 62.5, 59.94, 0.5}) {
+      for (const std::size_t frames : {2u, 3u}) {
+        PointRecording written = random_points(random, 1.0, rate);
+        written.positions.resize(frames * written.points.size());
+        written.seen.assign(written.positions.size(), true);
+        write_results(point_files(written, folder.path() / name));
+        EXPECT_EQ(points_in(folder.path() / name).frames_per_second, rate) << name << " " << frames;
+      }
+    }
+  }
+}
+
 TEST(WrittenPoints, OfASkeletonAreItsJoints) {
   const mien::test::TemporaryFolder folder;
   std::mt19937_64 random(12);

@@ -74,18 +74,40 @@ TEST(BidsStimuli, AreNamedAndDescribedAsTheProposalSays) {
 
 TEST(BidsStimuli, HaveLabelsThatDiffer) {
   const test::MadeStudy study;
-  const StudyContents contents = contents_of(study.folder());
-  const std::vector<PayloadFile> payload = {
-      {"videos/a-b.mp4", 1}, {"videos/a_b.mp4", 2}, {"videos/ab.mp4", 3}, {"videos/ä.mp4", 4}};
+  StudyContents contents = contents_of(study.folder());
+  const std::vector<PayloadFile> payload = {{"videos/AB2.mp4", 1}, {"videos/a-b.mp4", 2},
+                                            {"videos/aB.mp4", 3},  {"videos/a_b.mp4", 4},
+                                            {"videos/ab.mp4", 5},  {"videos/ä.mp4", 6}};
+  for (const PayloadFile& file : payload) contents.artifacts.push_back({file.path, "", file.size});
+  std::ranges::sort(contents.artifacts, {}, &ArtifactRecord::path);
   const BidsStimuli stimuli = bids_stimuli(contents, payload, "");
   std::map<std::string, std::uint64_t> sizes;
   for (const PayloadFile& file : stimuli.files)
     if (file.text.empty()) sizes[file.path] = file.size;
-  EXPECT_EQ(sizes, (std::map<std::string, std::uint64_t>{{"stimuli/stim-ab_video.mp4", 1},
-                                                         {"stimuli/stim-ab2_video.mp4", 2},
-                                                         {"stimuli/stim-ab3_video.mp4", 3},
-                                                         {"stimuli/stim-stimulus_video.mp4", 4}}));
+  // Names that differ only in case are the same to some file systems.
+  EXPECT_EQ(sizes, (std::map<std::string, std::uint64_t>{{"stimuli/stim-AB2_video.mp4", 1},
+                                                         {"stimuli/stim-ab3_video.mp4", 2},
+                                                         {"stimuli/stim-aB_video.mp4", 3},
+                                                         {"stimuli/stim-ab4_video.mp4", 4},
+                                                         {"stimuli/stim-ab5_video.mp4", 5},
+                                                         {"stimuli/stim-stimulus_video.mp4", 6}}));
   EXPECT_EQ(cells_of(file_at(stimuli, "stimuli/stimuli.tsv").text)[1][2], "n/a");
+}
+
+TEST(BidsStimuli, AreThoseOfTheStudyAlone) {
+  const test::MadeStudy study;
+  study.forge(
+      [](nlohmann::ordered_json& record) { record["artifacts"].erase("videos/c.lossless.mp4"); });
+  fs::copy_file(study / "videos/b.mp4", study / "videos/mine.mp4");
+  study.forget_receipts();
+  const StudyContents contents = contents_of(study.folder());
+  const BidsStimuli stimuli = bids_stimuli(contents, payload_of(contents), "");
+  const auto has = [&](const char* path) {
+    return std::ranges::count(stimuli.files, path, &PayloadFile::path) == 1;
+  };
+  EXPECT_TRUE(has("stimuli/stim-b_video.mp4"));
+  EXPECT_FALSE(has("stimuli/stim-c_video.mp4"));
+  EXPECT_FALSE(has("stimuli/stim-mine_video.mp4"));
 }
 
 TEST(BidsStimuli, AreCalledAudiovisualWhereTheyHaveSound) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
 #include "motion/error.h"
@@ -56,6 +57,33 @@ TEST(Pack, TakesAllOfAStudyButTheBookkeeping) {
   EXPECT_TRUE(std::ranges::none_of(paths, [](const std::string& path) {
     return path.starts_with(".mien") || path.starts_with("farm");
   }));
+}
+
+/// As if the stimulus had been renamed: what remains of it may be of a recording that must not be
+/// shared.
+TEST(Pack, LeavesOutWhatAnotherRunMade) {
+  const test::MadeStudy study;
+  study.forge([](nlohmann::ordered_json& record) {
+    for (const char* path : {"clips/a.bvh", "frames/a", "videos/b.mp4"})
+      record["artifacts"].erase(path);
+  });
+  write_file(study / "frames/a/mine.txt", "mine");
+  fs::remove(study / "videos/b.mp4");
+  const PackedStudy packed = packed_study(contents_of(study.folder()), {});
+  EXPECT_EQ(packed.stale, (std::vector<std::string>{"clips/a.bvh", "frames/a"}));
+  const auto has = [&](const char* path) {
+    return std::ranges::count(packed.payload, path, &PayloadFile::path) == 1;
+  };
+  for (const char* path : {"clips/a.bvh", "frames/a/00000.png", "frames/a/00008.png"})
+    EXPECT_FALSE(has(path)) << path;
+  for (const char* path : {"frames/a/mine.txt", "provenance.json", "inputs/as-run.yaml",
+                           "inputs/my.recipes.yaml", "videos/c.webp", "report.html"})
+    EXPECT_TRUE(has(path)) << path;
+}
+
+TEST(Pack, KnowsWhichNamesABagEncodes) {
+  EXPECT_EQ(encoded_paths({{"50 %.csv", 1}, {"a\nb", 1}, {"a\rb", 1}, {"tidy/ü, a.csv", 1}}),
+            (std::vector<std::string>{"50 %.csv", "a\nb", "a\rb"}));
 }
 
 TEST(Pack, FollowsLinksToWhatBelongsToTheStudy) {

@@ -10,14 +10,18 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "motion/procedural/builtin_sets.h"
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/manifest/determinants.h"
+#include "pipeline/manifest/file_keys.h"
 #include "pipeline/production/report/study_tasks.h"
 #include "pipeline/production/run/codebook.h"
 #include "pipeline/production/run/provenance.h"
 #include "pipeline/production/run/run.h"
+#include "pipeline/production/run/study_inputs.h"
+#include "pipeline/tasks/store.h"
 #include "pipeline/temporary_folder.h"
 
 #include "shared_set_up.h"
@@ -224,6 +228,37 @@ TEST_F(StudyFolder, KeepsCopiesOfWhatItWasDescribedBy) {
     EXPECT_EQ(document(out / "provenance.json")["inputs"]["inputs/" + std::string(name)],
               hash_of_file(folder.path() / name));
   }
+}
+
+TEST_F(StudyFolder, KeepsNoColumnsOfAnswersThatIdentifyParticipants) {
+  std::string answers = "url_PROLIFIC_PID,participant,stimulus,scale,value,closing_comment\n";
+  std::string kept = "participant,stimulus,scale,value\n";
+  int value = 0;
+  for (const std::string& name : motion::builtin_example_names("walks-10")) {
+    const std::string answer = "p1," + name + ",slow-fast," + std::to_string(1 + value++ % 7);
+    answers += "5f01person," + answer + ",\"Greetings, Eve\"\n";
+    kept += answer + "\n";
+  }
+  write("answers.csv", answers);
+  write("rated.yaml",
+        "mien: 1\nstudy: rated\n"
+        "examples: {set: builtin:walks-10, scales: sub/my.scales.yaml, ratings: answers.csv}\n"
+        "stimuli: [{id: a, weights: {sad: 1}}]\n");
+  const auto load = [](const fs::path& file) {
+    return load_manifest(file, [](const std::string&) { return std::nullopt; });
+  };
+  const Manifest manifest = load(folder.path() / "rated.yaml");
+  const std::map<std::string, Hash> hashes = hashes_of_inputs(manifest);
+  EXPECT_EQ(hashes.at("inputs/answers.csv"), hash_of(kept));
+  Store store(folder.path() / "rated");
+  put_inputs(manifest, hashes, store);
+  EXPECT_EQ(read_file(folder.path() / "rated/inputs/answers.csv"), kept);
+  // From the copy, the study is made as from the answers.
+  const Manifest again = load(folder.path() / "rated" / as_run_path);
+  EXPECT_EQ(hashes_of_inputs(again).at("inputs/answers.csv"), hash_of(kept));
+  FileKeys files, copies;
+  EXPECT_EQ(shared_determinants(manifest, files).repertoire,
+            shared_determinants(again, copies).repertoire);
 }
 
 TEST_F(StudyFolder, IsMadeAgainFromItsProvenanceToTheLastByte) {

@@ -7,6 +7,7 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/manifest/checks/manifest_reader.h"
 #include "pipeline/study/questionnaire/asked_study.h"
+#include "pipeline/tasks/hash.h"
 #include "pipeline/temporary_folder.h"
 
 namespace mien::pipeline {
@@ -83,6 +84,18 @@ TEST_F(FrozenDesign, IsTheSameBytesAndHoldsWhatItRestsOn) {
       "answers of participants who do not finish are included.\n");
   EXPECT_TRUE(holds(again.at("stimuli.csv"), "a1,videos/a1.mp4,"));
   EXPECT_TRUE(holds(again.at("dummy-report/answers.csv"), "simulated"));
+}
+
+TEST_F(FrozenDesign, HasNoColumnsOfAnswersThatIdentifyParticipants) {
+  Manifest rated = manifest_;
+  rated.ratings.source = Ratings::Source::file;
+  rated.ratings.file = folder_.path() / "answers.csv";
+  write_file(rated.ratings.file,
+             "participant,stimulus,scale,value,url_PROLIFIC_PID\np1,sad,sad-happy,1,5f01\n");
+  const ZipFiles frozen = frozen_design(rated, plan_sessions(rated), made_);
+  const std::string kept = "participant,stimulus,scale,value\np1,sad,sad-happy,1\n";
+  EXPECT_EQ(frozen.at("inputs/answers.csv"), kept);
+  EXPECT_TRUE(holds(frozen.at("inputs.csv"), ("inputs/answers.csv," + hash_of(kept)).c_str()));
 }
 
 TEST_F(FrozenDesign, SaysThatTheDummyReportIsWithoutEffects) {
