@@ -9,6 +9,7 @@
 #include "pipeline/farm/jobs/unresponsive_jobs.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/submission.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/disk_fault.h"
 
 namespace mien::pipeline {
@@ -70,13 +71,15 @@ StageProgress frames_share(const Production& production, const std::vector<TaskO
 StudyState state_of(const Production& production, const std::vector<TaskOutcome>& outcomes,
                     const fs::path& folder, const std::string& words) {
   const TaskGraph& graph = production.graph();
-  StudyState state{folder, graph_key(graph, folder), {}, false, words};
+  StudyState state;
+  state.folder = folder;
+  state.graph_key = graph_key(graph, folder);
+  state.words = words;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].state == TaskState::cached) state.done.insert(graph.tasks[i].id);
   }
-  std::error_code error;
-  state.is_complete =
-      state.done.size() == graph.tasks.size() && fs::exists(folder / "provenance.json", error);
+  state.has_all_artifacts = state.done.size() == graph.tasks.size();
+  state.is_complete = state.has_all_artifacts && is_recorded(production, outcomes, folder);
   return state;
 }
 
@@ -176,6 +179,7 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
   status.frames = frames_share(production, outcomes, kept, folder);
   const StudyState state = state_of(production, outcomes, folder, words);
   status.is_complete = state.is_complete;
+  status.lacks_record = state.has_all_artifacts && !state.is_complete;
   status.disk = disk_problem_now(folder, state.graph_key, queue);
   status.failed = failed_items(folder);
   const std::vector<WorkerReport> workers = worker_reports(folder);

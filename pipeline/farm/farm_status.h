@@ -48,7 +48,9 @@ struct FarmStatus {
   std::optional<double>
       seconds_left;  ///< estimated time for the remaining frames; empty if no live worker has
                      ///< rendered a frame, or if the study is complete
-  bool is_complete = false;   ///< all artifacts exist, including provenance.json
+  /// All artifacts exist, and provenance.json describes them.
+  bool is_complete = false;
+  bool lacks_record = false;  ///< all artifacts exist, but provenance.json does not describe them
   std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;

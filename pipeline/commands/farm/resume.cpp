@@ -142,7 +142,7 @@ int resume_study(const ResumeCommand& command, const Console& console) {
 
   const DueWork work = due_work(study, requested, statuses);
   if (!command.dry_run) remove_old_submissions(all_statuses, work, study, console);
-  if (work.is_done(study)) {
+  if (work.is_done) {
     cancel_superseded(superseded, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;

@@ -15,6 +15,7 @@
 #include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/farm/queue_capacity.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -162,18 +163,14 @@ void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm) {
       "request at most that many, or another --partition; sinfo -N -l lists the nodes");
 }
 
-bool DueWork::is_done(const FarmStudy& study) const {
-  std::error_code error;
-  return std::none_of(is_due.begin(), is_due.end(), [](bool one) { return one; }) &&
-         std::filesystem::exists(study.folder / "provenance.json", error);
-}
-
 DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
                  const std::vector<JobStatus>& statuses) {
   DueWork work;
   const TaskGraph& graph = study.production.graph();
   const std::vector<TaskOutcome> planned = plan(graph, study.folder);
   for (const TaskOutcome& one : planned) work.is_due.push_back(one.state != TaskState::cached);
+  work.is_done = std::find(work.is_due.begin(), work.is_due.end(), true) == work.is_due.end() &&
+                 is_recorded(study.production, planned, study.folder);
   work.frames = measured_film_lengths(study.production, study.folder);
   work.film_progress = stored_film_progress(graph, planned, work.frames, study.folder);
   add_frames_of_live_jobs(statuses, work.frames, study.folder, work.film_progress);

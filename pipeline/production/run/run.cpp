@@ -1,8 +1,10 @@
 #include "pipeline/production/run/run.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
@@ -126,6 +128,18 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   result.nondeterminism = store.nondeterminism();
   result.repairs = store.repairs();
   return result;
+}
+
+bool is_recorded(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                 const std::filesystem::path& folder) {
+  const std::optional<Receipt> receipt = read_receipt(folder, provenance_path);
+  if (!receipt || !artifact_agrees(folder, *receipt)) return false;
+  const auto record = nlohmann::json::parse(read_file(folder / provenance_path), nullptr,
+                                            /*allow_exceptions=*/false);
+  if (!record.is_object()) return false;
+  Manifest manifest = production.manifest();
+  manifest.command = record.value("command", "");
+  return receipt->key == hash_of(provenance(manifest, outcomes));
 }
 
 std::vector<std::string> grouped_warnings(

@@ -7,6 +7,7 @@
 
 #include "pipeline/farm/jobs/element_logs.h"
 #include "pipeline/farm/submission.h"
+#include "pipeline/farm/worker.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/tasks/task_graph.h"
@@ -29,12 +30,19 @@ stimuli:
 
 class FarmStatusOfAStudy : public testing::Test {
  protected:
-  FarmStatusOfAStudy() {
-    std::ofstream(temporary.path() / "tiny.yaml") << manifest_text;
+  FarmStatusOfAStudy() { write_manifest(manifest_text); }
+
+  void write_manifest(const std::string& text) {
+    std::ofstream(temporary.path() / "tiny.yaml") << text;
     ProductionOptions options;
     options.jobs = 2;
     production.emplace(load_manifest(temporary.path() / "tiny.yaml", process_environment()),
                        options);
+  }
+
+  void make(const std::vector<std::string>& items) const {
+    const TaskGraph& graph = production->graph();
+    ASSERT_EQ(work(graph_of_items(graph, items), items, folder, 2, {}, {}, "").code(), 0);
   }
 
   void write(const std::string& name, const std::string& text) const {
@@ -93,6 +101,36 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
       EXPECT_LT(share.done, share.total);
     }
   }
+}
+
+TEST_F(FarmStatusOfAStudy, IsNotCompleteWhileItsRecordIsOfAnEarlierState) {
+  run(*production, folder, 2, {}, {});
+  std::string edited = manifest_text;
+  edited.replace(edited.find("{sad: 1}"), 8, "{sad: 0.5, normal: 0.5}");
+  write_manifest(edited);
+  std::vector<std::string> items;
+  for (const Task& task : production->graph().tasks) items.push_back(task.id);
+  make(items);
+  const FarmStatus made = status();
+  for (const StageProgress& share : made.stages) EXPECT_EQ(share.done, share.total) << share.name;
+  EXPECT_FALSE(made.is_complete);
+  EXPECT_NE(status_text(made).find("describes an earlier state of the study; mien run tiny.yaml"),
+            std::string::npos)
+      << status_text(made);
+  run(*production, folder, 2, {}, {});
+  EXPECT_TRUE(status().is_complete);
+  EXPECT_EQ(status_text(status()).find("earlier state"), std::string::npos);
+  fs::remove(folder / "provenance.json");
+  EXPECT_FALSE(status().is_complete);
+}
+
+TEST_F(FarmStatusOfAStudy, IsCompleteWhateverCommandMadeIt) {
+  ProductionOptions options;
+  options.quality = Quality::draft;  // that of the manifest, too
+  Production by_option(load_manifest(temporary.path() / "tiny.yaml", process_environment()),
+                       options);
+  run(by_option, folder, 2, {}, {});
+  EXPECT_TRUE(status().is_complete);
 }
 
 /// A worker of another machine that has drawn 20 frames.
