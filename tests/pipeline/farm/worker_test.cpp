@@ -126,6 +126,31 @@ TEST_F(Worker, AFailureIsToldInAFileUntilItIsMade) {
   EXPECT_FALSE(fs::exists(told));
 }
 
+/// Clips and dots only wait for what equalizes all films; they do not read it.
+TEST_F(Worker, AFailureOfWhatAnItemWaitsForIsNoInterruption) {
+  TaskGraph graph;
+  const auto add = [&](const char* id, std::vector<std::string> after) {
+    Task task;
+    task.id = id;
+    task.after = std::move(after);
+    task.make = [](TaskRun& run) {
+      if (run.task.after.empty()) throw Error("no figure is seen", "move the camera");
+    };
+    graph.add(std::move(task));
+  };
+  add("exposure", {});
+  add("sizes", {"exposure"});
+  add("clip:a", {"sizes"});
+  add("clip:b", {"sizes"});
+  const WorkResult result = work(graph, {"clip:a", "clip:b"}, folder, 1, {}, {}, "mien farm");
+  EXPECT_FALSE(result.was_interrupted);
+  ASSERT_EQ(result.failed.size(), 2u);
+  for (const FailedWork& failed : result.failed)
+    EXPECT_NE(failed.error.find("no figure is seen"), std::string::npos) << failed.item;
+  EXPECT_EQ(result.code(), worker_bad_input);
+  EXPECT_TRUE(fs::exists(failure_path(folder, "clip:a")));
+}
+
 TEST(WorkResults, EndAsWhatMayGoBetterNextTime) {
   const auto code_of_all = [](const std::vector<int>& codes) {
     WorkResult result;
