@@ -66,6 +66,7 @@ ItemNeeds needs_of(const std::vector<JobStatus>& statuses, const FarmStudy& stud
   if (!options.memory.empty()) return needs;  // given by the user
   MemoryNeeds memory = memory_needs(statuses, study.folder);
   needs.memory = std::move(memory.more);
+  needs.rest_memory = std::move(memory.rest);
   if (!memory.unknown.empty())
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
