@@ -69,8 +69,12 @@ FarmStatus farm_status(const Production& production, const std::filesystem::path
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 
-/// Number of a film's unpublished frames in the store, under any key.
-int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
+/// Recorded failures of tasks that the study still has to do.
+std::vector<FailedItem> present_failures(const TaskGraph& graph, const StudyState& state);
+
+/// Number of a film's unpublished frames in the store, by the key under which they are kept.
+std::map<Hash, int> frames_in_the_making(const std::filesystem::path& folder,
+                                         const std::string& film);
 
 /// The status as text for the terminal.
 std::string status_text(const FarmStatus& status);

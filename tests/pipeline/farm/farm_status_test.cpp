@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/farm/film_progress.h"
 #include "pipeline/farm/jobs/element_logs.h"
 #include "pipeline/farm/submission.h"
 #include "pipeline/farm/worker.h"
@@ -52,6 +53,13 @@ class FarmStatusOfAStudy : public testing::Test {
 
   void write_record(const WorkerRecord& record) const {
     write(".mien/workers/" + record.name + ".json", to_json(record));
+  }
+
+  /// Where frames of a film are kept whose motion is made, in the study's folder.
+  std::string frames_of(const std::string& film) const {
+    const TaskGraph& graph = production->graph();
+    const StoredSequence kept = stored_sequence(graph.task(film), graph, quick_plan(graph, folder));
+    return ".mien/partial/" + kept.path + "/" + kept.key + "/frames/";
   }
 
   /// The comment of a job of the first submission of the study as it is.
@@ -154,9 +162,10 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   ended.ended = true;
   write_record(ended);
   write(".mien/workers/n1-3-c.json", R"({"host":"n1","pid)");
-  write(".mien/partial/frames/one/key/frames/00000.png", "x");
-  write(".mien/partial/frames/one/key/frames/00001.png", "x");
-  write(".mien/partial/frames/one/key/notes/n1-1-a", "x");
+  make({"motion:one"});
+  write(frames_of("film:one") + "00000.png", "x");
+  write(frames_of("film:one") + "00001.png", "x");
+  write(frames_of("film:one") + "../notes/n1-1-a", "x");
   write("farm/failures/film_two.json",
         R"({"item":"film:two","error":"no space left","code":75,"host":"n2","when":"noon",)"
         R"("attempts":3,"command":"mien farm worker tiny.yaml --tasks film:two"})");
@@ -190,6 +199,35 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   const auto told = status_json(now);
   EXPECT_EQ(told["waiting"]["Priority"], 2);
   EXPECT_EQ(told["failed"][0]["item"], "film:two");
+}
+
+TEST_F(FarmStatusOfAStudy, CountsNoFramesOfAnEarlierState) {
+  make({"motion:one"});
+  for (const char* frame : {"00000.png", "00001.png", "00002.png"})
+    write(std::string(".mien/partial/frames/one/before/frames/") + frame, "x");
+  EXPECT_EQ(status().frames.done, 0);
+  write(frames_of("film:one") + "00004.png", "x");
+  EXPECT_EQ(status().frames.done, 1);
+}
+
+TEST_F(FarmStatusOfAStudy, ForgetsFailuresOfWhatIsMadeOrGone) {
+  make({"film:one"});
+  for (const char* item : {"film:one", "film:one[1/2]", "film:two[1/2]", "film:removed"})
+    write(failure_path("", item).string(), "{\"item\":\"" + std::string(item) + "\"}");
+  const FarmStatus now = status();
+  ASSERT_EQ(now.failed.size(), 1u);
+  EXPECT_EQ(now.failed[0].item, "film:two[1/2]");
+}
+
+TEST_F(FarmStatusOfAStudy, MeasuresSilenceByTheClockThatStampsTheFiles) {
+  write_record(worker("n1-1-a"));
+  write_record(worker("n1-2-b"));
+  const auto ahead = fs::file_time_type::clock::now() + std::chrono::minutes(10);
+  fs::last_write_time(folder / ".mien/workers/n1-1-a.json", ahead);
+  fs::last_write_time(folder / ".mien/workers/n1-2-b.json", ahead - std::chrono::minutes(5));
+  for (const WorkerReport& report : worker_reports(folder))
+    EXPECT_EQ(report.is_alive(), report.name == "n1-1-a") << report.name;
+  EXPECT_EQ(status().nodes.at(0).workers, 1);
 }
 
 TEST_F(FarmStatusOfAStudy, TellsThatItsFolderIsAwayWhereSlurmHasJobsOfIt) {
