@@ -39,20 +39,6 @@ void require_form(const std::string& value, const char* form, const std::string&
   throw Error(option + ": \"" + value + "\" is not a valid " + what, remedy);
 }
 
-/// Measured seconds per estimated second of drawing, according to this study's workers.
-double measured_pace(const FarmStudy& study, const std::map<std::string, int>& frames) {
-  const double measured = seconds_per_frame(worker_reports(study.folder));
-  double seconds = 0.0;
-  double count = 0.0;
-  for (const Task& task : study.production.graph().tasks) {
-    const auto length = frames.find(task.id);
-    if (length == frames.end()) continue;
-    seconds += task.cost_seconds;
-    count += length->second;
-  }
-  return measured > 0.0 && seconds > 0.0 ? measured / (seconds / count) : 1.0;
-}
-
 Chunking chunking_of(const DueWork& work, const JournalSubmission& requested) {
   Chunking chunking;
   chunking.chunk_frames = requested.chunk_frames;
@@ -174,7 +160,7 @@ DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
   work.frames = measured_film_lengths(study.production, study.folder);
   work.film_progress = stored_film_progress(graph, planned, work.frames, study.folder);
   add_frames_of_live_jobs(statuses, work.frames, study.folder, work.film_progress);
-  work.pace = measured_pace(study, work.frames) / requested.request.processors;
+  work.pace = measured_pace(worker_reports(study.folder)) / requested.request.processors;
   return work;
 }
 
@@ -195,7 +181,7 @@ std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& request
   DueWork work;
   work.is_due.assign(study.production.graph().tasks.size(), true);
   work.frames = measured_film_lengths(study.production, study.folder);
-  work.pace = measured_pace(study, work.frames) / requested.request.processors;
+  work.pace = measured_pace(worker_reports(study.folder)) / requested.request.processors;
   return stages_of_due_work(study, work, chunking_of(work, requested));
 }
 

@@ -70,14 +70,15 @@ std::vector<WorkerReport> worker_reports(const fs::path& folder) {
   return reports;
 }
 
-double seconds_per_frame(const std::vector<WorkerReport>& reports) {
-  long long frames = 0;
-  double seconds = 0.0;
+double measured_pace(const std::vector<WorkerReport>& reports) {
+  double measured = 0.0;
+  double estimated = 0.0;
   for (const WorkerReport& report : reports) {
-    frames += report.frames;
-    seconds += report.frame_seconds;
+    if (report.estimated_seconds <= 0.0) continue;
+    measured += report.frame_seconds;
+    estimated += report.estimated_seconds;
   }
-  return frames > 0 ? seconds / static_cast<double>(frames) : 0.0;
+  return measured > 0.0 ? measured / estimated : 1.0;
 }
 
 std::vector<FailedItem> failed_items(const fs::path& folder) {

@@ -23,8 +23,9 @@ struct WorkerReport : WorkerRecord {
 /// beside them, to learn the time of the file system, if that is possible.
 std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
 
-/// Mean rendering time per frame, seconds; 0 if no frame has been rendered.
-double seconds_per_frame(const std::vector<WorkerReport>& reports);
+/// Measured seconds of drawing per estimated second, over all frames of which the estimate is
+/// known, whatever their quality and size were; 1 if there are none.
+double measured_pace(const std::vector<WorkerReport>& reports);
 
 /// A failed item as recorded in a file in farm/failures/.
 struct FailedItem {

@@ -78,8 +78,9 @@ class FilmMaker {
                       ? std::nullopt
                       : film_sound(subject.film, subject.equalize.loudness, shot_.frame_count())) {
     settings_.light_cache = disk_light_cache(run.store, run.stop);
-    settings_.on_frame_drawn = [&run](double seconds) {
-      run.store.heartbeat().count_frame(seconds);
+    settings_.on_frame_drawn = [&run, estimated = run.task.cost_seconds /
+                                                  shot_.frame_count()](double seconds) {
+      run.store.heartbeat().count_frame(seconds, estimated);
     };
     record_.exposure_stops = static_cast<double>(equalized.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);

@@ -259,6 +259,35 @@ TEST_F(FarmStatusOfAStudy, DoesNotTakeASilentWorkerForALivingOne) {
   EXPECT_FALSE(status().is_active());
 }
 
+WorkerReport drawing(double seconds, double estimated) {
+  WorkerReport report;
+  report.frames = 100;
+  report.frame_seconds = seconds;
+  report.estimated_seconds = estimated;
+  return report;
+}
+
+TEST(MeasuredPace, IsOfTheFramesThatWereDrawnWhateverTheirQuality) {
+  const WorkerReport draft = drawing(2.0, 1.0);
+  const WorkerReport final_quality = drawing(200.0, 100.0);
+  const WorkerReport former = drawing(50.0, 0.0);
+  EXPECT_DOUBLE_EQ(measured_pace({draft, former}), 2.0);
+  EXPECT_DOUBLE_EQ(measured_pace({draft, final_quality}), 2.0);
+  EXPECT_DOUBLE_EQ(measured_pace({}), 1.0);
+  EXPECT_DOUBLE_EQ(measured_pace({former}), 1.0) << "its estimate is not known";
+}
+
+TEST(MeasuredPace, IsInTheRecordsOfWorkersButNotInThoseOfOlderVersions) {
+  const auto read = worker_record_from_json(to_json(drawing(2.0, 1.5)));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_DOUBLE_EQ(read->estimated_seconds, 1.5);
+  nlohmann::json former = nlohmann::json::parse(to_json(drawing(2.0, 1.5)));
+  former.erase("estimated_seconds");
+  const auto read_former = worker_record_from_json(former.dump());
+  ASSERT_TRUE(read_former.has_value());
+  EXPECT_DOUBLE_EQ(read_former->estimated_seconds, 0.0);
+}
+
 class Logs : public testing::Test {
  protected:
   Logs() {

@@ -86,6 +86,19 @@ TEST_F(Worker, ChunksInAnyOrderMakeTheBytesOfAnUndisturbedRun) {
   EXPECT_FALSE(fs::exists(folder / ".mien/partial/frames/none"));
 }
 
+TEST_F(Worker, RecordsTheEstimateOfWhatItDraws) {
+  for (const char* item : {"film:none", "film:exr[1/2]", "film:exr[2/2]"})
+    EXPECT_EQ(make({item}).code(), 0);
+  double estimated = 0.0;
+  for (const WorkerRecord& record : read_worker_records(folder))
+    estimated += record.estimated_seconds;
+  const Production study = production();
+  const double expected =
+      study.graph().task("film:none").cost_seconds + study.graph().task("film:exr").cost_seconds;
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(estimated / expected, 1.0, 1e-6);
+}
+
 TEST_F(Worker, OneBadFrameNeverDrawsTheOthersAgain) {
   EXPECT_EQ(make({"film:none[1/1]"}).code(), 0);
   const int drawn = frames_drawn();
