@@ -1,10 +1,8 @@
 #include "pipeline/production/run/run.h"
 
 #include <algorithm>
-#include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "motion/error.h"
 #include "motion/text/excerpt.h"
@@ -132,14 +130,8 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
 
 bool is_recorded(const Production& production, const std::vector<TaskOutcome>& outcomes,
                  const std::filesystem::path& folder) {
-  const std::optional<Receipt> receipt = read_receipt(folder, provenance_path);
-  if (!receipt || !artifact_agrees(folder, *receipt)) return false;
-  const auto record = nlohmann::json::parse(read_file(folder / provenance_path), nullptr,
-                                            /*allow_exceptions=*/false);
-  if (!record.is_object()) return false;
-  Manifest manifest = production.manifest();
-  manifest.command = record.value("command", "");
-  return receipt->key == hash_of(provenance(manifest, outcomes));
+  const Hash key = hash_of(provenance(production.manifest(), outcomes));
+  return find_artifact(folder, provenance_path, key).has_value();
 }
 
 std::vector<std::string> grouped_warnings(

@@ -44,8 +44,8 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
               Sharing sharing = Sharing::shared);
 
 /// Whether the study's record, provenance.json, is of its present state: of the manifest, its
-/// inputs and these artifacts. Only the command line in it may be another. `outcomes`: one per task
-/// of the whole production, all of them complete.
+/// inputs and these artifacts. `outcomes`: one per task of the whole production, all of them
+/// complete.
 bool is_recorded(const Production& production, const std::vector<TaskOutcome>& outcomes,
                  const std::filesystem::path& folder);
 

@@ -132,15 +132,6 @@ TEST_F(FarmStatusOfAStudy, IsNotCompleteWhileItsRecordIsOfAnEarlierState) {
   EXPECT_FALSE(status().is_complete);
 }
 
-TEST_F(FarmStatusOfAStudy, IsCompleteWhateverCommandMadeIt) {
-  ProductionOptions options;
-  options.quality = Quality::draft;  // that of the manifest, too
-  Production by_option(load_manifest(temporary.path() / "tiny.yaml", process_environment()),
-                       options);
-  run(by_option, folder, 2, {}, {});
-  EXPECT_TRUE(status().is_complete);
-}
-
 /// A worker of another machine that has drawn 20 frames.
 WorkerRecord worker(const std::string& name) {
   WorkerRecord record;
