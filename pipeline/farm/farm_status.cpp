@@ -5,10 +5,13 @@
 #include <iterator>
 
 #include "motion/text/as_number.h"
+#include "pipeline/base/documents/files.h"
 #include "pipeline/farm/film_lengths.h"
+#include "pipeline/farm/film_progress.h"
 #include "pipeline/farm/jobs/unresponsive_jobs.h"
 #include "pipeline/farm/stages.h"
 #include "pipeline/farm/submission.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/disk_fault.h"
 
 namespace mien::pipeline {
@@ -38,8 +41,8 @@ std::vector<StageProgress> stage_shares(const TaskGraph& graph,
   return shares;
 }
 
-/// Films and the frames that are kept of them.
-using KeptFrames = std::map<std::string, int>;
+/// Films and the frames that are kept of them, by key.
+using KeptFrames = std::map<std::string, std::map<Hash, int>>;
 
 KeptFrames kept_frames(const TaskGraph& graph, const fs::path& folder) {
   KeptFrames kept;
@@ -48,6 +51,15 @@ KeptFrames kept_frames(const TaskGraph& graph, const fs::path& folder) {
       kept[task.id] = frames_in_the_making(folder, task.id.substr(task.id.find(':') + 1));
   }
   return kept;
+}
+
+/// The frames of a film that is not complete. Those of earlier states of the study are of no use.
+int frames_kept_of(const Task& film, const TaskGraph& graph,
+                   const std::vector<TaskOutcome>& outcomes, const KeptFrames& kept) {
+  if (outcomes[graph.index_of(film.id)].state != TaskState::due) return 0;
+  const std::map<Hash, int>& by_key = kept.at(film.id);
+  const auto found = by_key.find(stored_sequence(film, graph, outcomes).key);
+  return found == by_key.end() ? 0 : found->second;
 }
 
 StageProgress frames_share(const Production& production, const std::vector<TaskOutcome>& outcomes,
@@ -62,7 +74,7 @@ StageProgress frames_share(const Production& production, const std::vector<TaskO
     frames.total += length->second;
     frames.done += outcomes[i].state == TaskState::cached
                        ? length->second
-                       : std::min(length->second, kept.at(task.id));
+                       : std::min(length->second, frames_kept_of(task, graph, outcomes, kept));
   }
   return frames;
 }
@@ -70,13 +82,15 @@ StageProgress frames_share(const Production& production, const std::vector<TaskO
 StudyState state_of(const Production& production, const std::vector<TaskOutcome>& outcomes,
                     const fs::path& folder, const std::string& words) {
   const TaskGraph& graph = production.graph();
-  StudyState state{folder, graph_key(graph, folder), {}, false, words};
+  StudyState state;
+  state.folder = folder;
+  state.graph_key = graph_key(graph, folder);
+  state.words = words;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].state == TaskState::cached) state.done.insert(graph.tasks[i].id);
   }
-  std::error_code error;
-  state.is_complete =
-      state.done.size() == graph.tasks.size() && fs::exists(folder / "provenance.json", error);
+  state.has_all_artifacts = state.done.size() == graph.tasks.size();
+  state.is_complete = state.has_all_artifacts && is_recorded(production, outcomes, folder);
   return state;
 }
 
@@ -146,15 +160,24 @@ bool FarmStatus::is_active() const {
          std::ranges::any_of(nodes, [](const NodeStatus& node) { return node.workers > 0; });
 }
 
-int frames_in_the_making(const fs::path& folder, const std::string& film) {
-  int count = 0;
-  std::error_code error;
-  const fs::path frames = folder / ".mien" / "partial" / "frames" / film;
-  for (fs::recursive_directory_iterator at(frames, error), end; !error && at != end;
-       at.increment(error)) {
-    if (is_frame(at->path())) ++count;
+std::map<Hash, int> frames_in_the_making(const fs::path& folder, const std::string& film) {
+  std::map<Hash, int> counts;
+  for (const fs::path& sequence : paths_in(folder / ".mien" / "partial" / "frames" / film)) {
+    const std::vector<fs::path> frames = paths_in(sequence / "frames");
+    counts[sequence.filename().string()] =
+        static_cast<int>(std::ranges::count_if(frames, is_frame));
   }
-  return count;
+  return counts;
+}
+
+/// Only the item itself removes its record: a chunk of a film that was then made whole does not.
+std::vector<FailedItem> present_failures(const TaskGraph& graph, const StudyState& state) {
+  std::vector<FailedItem> failed = failed_items(state.folder);
+  std::erase_if(failed, [&](const FailedItem& one) {
+    const std::string task = one.item.substr(0, one.item.find('['));
+    return !graph.has(task) || state.done.contains(task);
+  });
+  return failed;
 }
 
 StudyState study_state(const Production& production, const fs::path& folder,
@@ -176,8 +199,9 @@ FarmStatus farm_status(const Production& production, const fs::path& folder,
   status.frames = frames_share(production, outcomes, kept, folder);
   const StudyState state = state_of(production, outcomes, folder, words);
   status.is_complete = state.is_complete;
+  status.lacks_record = state.has_all_artifacts && !state.is_complete;
   status.disk = disk_problem_now(folder, state.graph_key, queue);
-  status.failed = failed_items(folder);
+  status.failed = present_failures(production.graph(), state);
   const std::vector<WorkerReport> workers = worker_reports(folder);
   add_workers(workers, status);
   if (queue) {

@@ -48,7 +48,9 @@ struct FarmStatus {
   std::optional<double>
       seconds_left;  ///< estimated time for the remaining frames; empty if no live worker has
                      ///< rendered a frame, or if the study is complete
-  bool is_complete = false;   ///< all artifacts exist, including provenance.json
+  /// All artifacts exist, and provenance.json describes them.
+  bool is_complete = false;
+  bool lacks_record = false;  ///< all artifacts exist, but provenance.json does not describe them
   std::string without_slurm;  ///< why job states are unknown; empty if they are known
 
   int running() const;
@@ -67,8 +69,12 @@ FarmStatus farm_status(const Production& production, const std::filesystem::path
 StudyState study_state(const Production& production, const std::filesystem::path& folder,
                        const std::string& words);
 
-/// Number of a film's unpublished frames in the store, under any key.
-int frames_in_the_making(const std::filesystem::path& folder, const std::string& film);
+/// Recorded failures of tasks that the study still has to do.
+std::vector<FailedItem> present_failures(const TaskGraph& graph, const StudyState& state);
+
+/// Number of a film's unpublished frames in the store, by the key under which they are kept.
+std::map<Hash, int> frames_in_the_making(const std::filesystem::path& folder,
+                                         const std::string& film);
 
 /// The status as text for the terminal.
 std::string status_text(const FarmStatus& status);

@@ -8,7 +8,6 @@
 #include "pipeline/base/documents/files.h"
 #include "pipeline/farm/jobs/task_list.h"
 #include "pipeline/farm/resumption.h"
-#include "pipeline/production/film/film_task.h"
 
 namespace mien::pipeline {
 
@@ -35,14 +34,6 @@ void mark_published(const StoredSequence& kept, const fs::path& folder,
     if (agrees(folder / kept.path / frame.name, frame.hash, frame.size))
       mark(frame.name, has_frame);
   }
-}
-
-/// Outcomes of what a task reads.
-std::vector<const TaskOutcome*> inputs_of(const Task& task, const TaskGraph& graph,
-                                          const std::vector<TaskOutcome>& planned) {
-  std::vector<const TaskOutcome*> inputs;
-  for (const std::string& id : task.inputs) inputs.push_back(&planned[graph.index_of(id)]);
-  return inputs;
 }
 
 /// Calls with each item on the list of a job.
@@ -79,6 +70,13 @@ std::map<std::string, int> chunks_of_live_jobs(const std::vector<JobStatus>& sta
 
 }  // namespace
 
+StoredSequence stored_sequence(const Task& film, const TaskGraph& graph,
+                               const std::vector<TaskOutcome>& planned) {
+  std::vector<const TaskOutcome*> inputs;
+  for (const std::string& id : film.inputs) inputs.push_back(&planned[graph.index_of(id)]);
+  return stored_sequence(film, task_key_of(film, inputs));
+}
+
 ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<TaskOutcome>& planned,
                                     const std::map<std::string, int>& frames,
                                     const fs::path& folder) {
@@ -88,8 +86,7 @@ ProgressByFilm stored_film_progress(const TaskGraph& graph, const std::vector<Ta
     const auto length = frames.find(task.id);
     if (task.kind != "film" || planned[i].state != TaskState::due || length == frames.end())
       continue;
-    const StoredSequence kept =
-        stored_sequence(task, task_key_of(task, inputs_of(task, graph, planned)));
+    const StoredSequence kept = stored_sequence(task, graph, planned);
     std::vector<bool>& has_frame = film_progress[task.id].has_frame;
     has_frame.resize(static_cast<std::size_t>(length->second));
     mark_drawn(kept, folder, has_frame);

@@ -7,8 +7,13 @@
 
 #include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/stages.h"
+#include "pipeline/production/film/film_task.h"
 
 namespace mien::pipeline {
+
+/// Where a film's task stores its frames. `planned`: one outcome per task; the film is due.
+StoredSequence stored_sequence(const Task& film, const TaskGraph& graph,
+                               const std::vector<TaskOutcome>& planned);
 
 /// Stored frames and chunk count of each film, by its task ("film:walk").
 using ProgressByFilm = std::map<std::string, FilmProgress>;

@@ -1,8 +1,9 @@
 #include "pipeline/farm/resumption.h"
 
-#include <charconv>
+#include <algorithm>
 
 #include "pipeline/farm/jobs/task_list.h"
+#include "pipeline/farm/memory_amount.h"
 #include "pipeline/farm/stages.h"
 
 namespace mien::pipeline {
@@ -11,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Elements, from 1, whose last attempt was short of memory.
+/// Elements, from 1, whose last attempt was short of memory; 1 for a job that is no array.
 std::set<std::size_t> diagnose_out_of_memory(const JobStatus& job_status, const fs::path& folder) {
   std::set<std::size_t> elements;
   for (const QueueRow& row : job_status.rows) {
-    if (row.state == "OUT_OF_MEMORY" && row.index) {
-      elements.insert(static_cast<std::size_t>(*row.index));
-    }
+    const bool is_of_array = job_status.journal.elements > 0;
+    if (row.state == "OUT_OF_MEMORY" && (row.index || !is_of_array))
+      elements.insert(static_cast<std::size_t>(std::max(0, row.index.value_or(1))));
   }
   for (const auto& [element, end] :
        read_element_exits(folder / "farm" / job_status.journal.submission)) {
@@ -60,32 +61,26 @@ MemoryNeeds memory_needs(const std::vector<JobStatus>& statuses, const fs::path&
   for (const JobStatus& job_status : statuses) {
     const std::set<std::size_t> elements = diagnose_out_of_memory(job_status, folder);
     if (elements.empty()) continue;
-    const auto lines = lines_of_list(list_of(job_status.journal, folder));
     const std::string twice = doubled_memory(job_status.journal.memory);
+    if (job_status.journal.elements == 0) {
+      needs.rest = larger_memory(needs.rest, twice);
+      if (twice.empty()) needs.unknown.push_back(job_status.journal.name);
+      continue;
+    }
+    const auto lines = lines_of_list(list_of(job_status.journal, folder));
     for (const std::size_t element : elements) {
       if (element < 1 || element > lines.size()) continue;
       for (const std::string& item : lines[element - 1]) {
         if (twice.empty()) {
           needs.unknown.push_back(item);
         } else {
-          needs.more[work_item(item).task] = twice;
+          std::string& more = needs.more[work_item(item).task];
+          more = larger_memory(more, twice);
         }
       }
     }
   }
   return needs;
-}
-
-std::string doubled_memory(const std::string& memory) {
-  long long amount = 0;
-  const char* end = memory.data() + memory.size();
-  const auto [unit, error] = std::from_chars(memory.data(), end, amount);
-  constexpr long long most = 1'000'000'000'000;
-  if (error != std::errc{} || amount <= 0 || amount > most) return "";
-  const std::string letters(unit, end);
-  if (letters.empty()) return std::to_string(2 * amount) + "M";  // Slurm's own unit
-  if (letters.size() != 1 || std::string("KMGTkmgt").find(letters) == std::string::npos) return "";
-  return std::to_string(2 * amount) + letters;
 }
 
 }  // namespace mien::pipeline

@@ -19,19 +19,17 @@ std::set<std::string> covered_items(const std::vector<JobStatus>& statuses,
 /// intervention (is_stuck), and the pending final jobs of earlier submissions.
 std::vector<std::string> obsolete_jobs(const std::vector<JobStatus>& statuses);
 
-/// Tasks whose jobs ran out of memory, and the memory to request for them next.
+/// Tasks whose jobs ran out of memory, and the memory to request for them next: twice the largest
+/// amount that was too little.
 struct MemoryNeeds {
-  std::map<std::string, std::string> more;  ///< twice the previously requested amount, by task
-  std::vector<std::string> unknown;         ///< items without a known amount to double
+  std::map<std::string, std::string> more;  ///< by task
+  std::string rest;                         ///< of the final job; empty if it had enough
+  std::vector<std::string> unknown;  ///< items and final jobs without a known amount to double
 };
 
 /// Determines memory needs from squeue and from out-of-memory kills that jobs recorded in ends/.
 /// SIGKILL alone does not count, because it may have another cause. `folder`: the study's.
 MemoryNeeds memory_needs(const std::vector<JobStatus>& statuses,
                          const std::filesystem::path& folder);
-
-/// Twice an amount of memory in Slurm's notation: "4G" for "2G", "3000M" for "1500"; empty if the
-/// text is not an amount.
-std::string doubled_memory(const std::string& memory);
 
 }  // namespace mien::pipeline

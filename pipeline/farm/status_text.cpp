@@ -61,6 +61,15 @@ std::string disk_text(const FarmStatus& status) {
       status.disk, as_duration(folder_wait_limit_seconds), most_restarts + 1);
 }
 
+/// The last job of a submission writes the record.
+std::string record_text(const FarmStatus& status) {
+  if (!status.lacks_record) return "";
+  return "provenance.json is missing, or describes an earlier state of the study" +
+         (status.is_active() ? "\n"
+                             : "; mien run " + status.words +
+                                   " writes it, and so does mien farm resume with Slurm\n");
+}
+
 ordered_json node_json(const NodeStatus& node) {
   return {{"node", node.name},
           {"jobs", node.elements},
@@ -96,6 +105,7 @@ std::string status_text(const FarmStatus& status) {
     text += share_text(share);
     if (share.name == "motions") text += share_text(status.frames);
   }
+  text += record_text(status);
   if (!status.nodes.empty()) text += "working:\n";
   for (const NodeStatus& node : status.nodes) text += node_text(node);
   text += waiting_text(status);

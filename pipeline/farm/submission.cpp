@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/base/documents/files.h"
+#include "pipeline/farm/memory_amount.h"
 #include "pipeline/tasks/hash.h"
 
 namespace mien::pipeline {
@@ -32,13 +33,21 @@ Stage without(Stage stage, const std::set<std::string>& covered) {
   return stage;
 }
 
-/// Amount of memory to request for an element whose item ran out of it; empty if none did.
+/// Amount of memory to request for an element of which items ran out of it; empty if none did.
 std::string memory_of(const Element& element, const ItemNeeds& needs) {
+  std::string largest;
   for (const std::string& item : element.items) {
     const auto found = needs.memory.find(work_item(item).task);
-    if (found != needs.memory.end()) return found->second;
+    if (found != needs.memory.end()) largest = larger_memory(largest, found->second);
   }
-  return "";
+  return largest;
+}
+
+/// Amount of memory to request for the final job, which makes whatever is missing.
+std::string memory_of_rest(const ItemNeeds& needs, const std::string& requested) {
+  std::string largest = larger_memory(requested, needs.rest_memory);
+  for (const auto& [task, memory] : needs.memory) largest = larger_memory(largest, memory);
+  return largest;
 }
 
 std::string comment_of(const std::string& key, const std::string& number, const std::string& name) {
@@ -53,7 +62,7 @@ class Arrays {
       : name_(std::move(name)), key_(key), requested_(requested), most_(most) {}
 
   void add(const Element& element, const std::string& memory) {
-    const std::string requested = memory.empty() ? requested_.request.memory : memory;
+    const std::string requested = larger_memory(requested_.request.memory, memory);
     auto open = std::find_if(jobs_.begin(), jobs_.end(), [&](const SubmissionJob& job) {
       return job.request.memory == requested && job.elements.size() < most_;
     });
@@ -82,12 +91,14 @@ class Arrays {
   std::vector<SubmissionJob> jobs_;
 };
 
-SubmissionJob rest_job(const std::string& key, const JournalSubmission& requested) {
+SubmissionJob rest_job(const std::string& key, const JournalSubmission& requested,
+                       const ItemNeeds& needs) {
   SubmissionJob rest;
   rest.job.submission = requested.number;
   rest.job.name = fmt::format("{}-rest", rest_place);
   rest.job.comment = comment_of(key, requested.number, rest.job.name);
   rest.request = requested.request;
+  rest.request.memory = memory_of_rest(needs, requested.request.memory);
   return rest;
 }
 
@@ -238,7 +249,7 @@ Submission submission_of(const std::vector<Stage>& stages, const ItemNeeds& need
       submission.stages.push_back({place_of(stage.name), std::move(jobs)});
     }
   }
-  submission.stages.push_back({rest_place, {rest_job(graph_key, submission.requested)}});
+  submission.stages.push_back({rest_place, {rest_job(graph_key, submission.requested, needs)}});
   return submission;
 }
 

@@ -44,8 +44,10 @@ struct Submission {
 /// Special treatment of single items of a study.
 struct ItemNeeds {
   std::set<std::string> covered;  ///< items already assigned to live jobs
-  std::map<std::string, std::string>
-      memory;  ///< memory to request, by task, after a job ran out of it
+  /// Memory to request after a job ran out of it, by task and for the final job, which may have to
+  /// make any task and so gets the largest amount of all.
+  std::map<std::string, std::string> memory;
+  std::string rest_memory;
 };
 
 /// Number of the next submission, such as "0004": the first number that is used neither by a folder

@@ -92,14 +92,24 @@ int code_of(const TaskOutcome& outcome) {
   return outcome.is_transient ? worker_transient : worker_gave_up;
 }
 
-/// Why an item was not completed: its own failure, or the first one among its inputs.
+/// Why an item was not completed: its own failure, or the first one among the tasks before it.
+/// `seen`: tasks that were looked at already, to which the function adds.
 const TaskOutcome* cause_of(const TaskGraph& graph, const std::vector<TaskOutcome>& outcomes,
-                            std::size_t index) {
+                            std::size_t index, std::set<std::size_t>& seen) {
   if (outcomes[index].state == TaskState::failed) return &outcomes[index];
-  for (const std::string& input : graph.tasks[index].inputs) {
-    if (const TaskOutcome* cause = cause_of(graph, outcomes, graph.index_of(input))) return cause;
+  if (!seen.insert(index).second) return nullptr;
+  const Task& task = graph.tasks[index];
+  for (const auto* earlier : {&task.inputs, &task.after}) {
+    for (const std::string& id : *earlier) {
+      if (const TaskOutcome* cause = cause_of(graph, outcomes, graph.index_of(id), seen))
+        return cause;
+    }
   }
   return nullptr;
+}
+
+bool is_made(const TaskOutcome& outcome) {
+  return outcome.state == TaskState::cached || outcome.state == TaskState::made;
 }
 
 int attempts_before(const fs::path& file) {
@@ -163,19 +173,18 @@ WorkResult work(const TaskGraph& items, const std::vector<std::string>& names,
   WorkResult result;
   for (const std::string& name : names) {
     const std::size_t index = items.index_of(name);
-    const TaskOutcome* cause = cause_of(items, outcomes, index);
-    if (cause != nullptr) {
+    std::set<std::size_t> seen;
+    if (is_made(outcomes[index])) {
+      std::error_code none;
+      fs::remove(failure_path(folder, name), none);
+    } else if (const TaskOutcome* cause = cause_of(items, outcomes, index, seen)) {
       result.failed.push_back({name, cause->error, code_of(*cause)});
       try {
         write_failure_record(folder, result.failed.back(), command, store.heartbeat().self());
       } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch): the disk is full, perhaps,
       }                                  // and the failure itself is in the job's log
-    } else if (outcomes[index].state == TaskState::interrupted ||
-               outcomes[index].state == TaskState::skipped) {
-      result.was_interrupted = true;
     } else {
-      std::error_code none;
-      fs::remove(failure_path(folder, name), none);
+      result.was_interrupted = true;  // without a failure, only a stop leaves a task unmade
     }
   }
   result.repairs = store.repairs();

@@ -15,7 +15,7 @@ namespace mien::pipeline {
 /// of a task without parts.
 TaskGraph graph_of_items(const TaskGraph& graph, const std::vector<std::string>& items);
 
-/// An item that failed, or whose inputs failed.
+/// An item that failed, or for which a task failed that must precede it.
 struct FailedWork {
   std::string item;
   std::string error;

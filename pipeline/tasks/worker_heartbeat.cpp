@@ -64,10 +64,11 @@ void WorkerHeartbeat::end_task(const std::string& task) {
   now_.tasks.erase(task);
 }
 
-void WorkerHeartbeat::count_frame(double seconds) {
+void WorkerHeartbeat::count_frame(double seconds, double estimated_seconds) {
   const std::lock_guard guard(mutex_);
   ++now_.frames;
   now_.frame_seconds += seconds;
+  now_.estimated_seconds += estimated_seconds;
 }
 
 void WorkerHeartbeat::write_now() {

@@ -28,7 +28,10 @@ class WorkerHeartbeat {
 
   void report_progress(const std::string& task, double share);
   void end_task(const std::string& task);
-  void count_frame(double seconds);
+
+  /// Counts a frame that was drawn. `seconds`: the time that it took; `estimated_seconds`: its
+  /// share of the task's estimate (Task::cost_seconds).
+  void count_frame(double seconds, double estimated_seconds);
 
   /// Writes the record now.
   void write_now();

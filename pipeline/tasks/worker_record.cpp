@@ -122,6 +122,7 @@ WorkerRecord record_of_this_process() {
 
 std::string to_json(const WorkerRecord& record) {
   json object = record;
+  object["estimated_seconds"] = record.estimated_seconds;
   object["tasks"] = json::array();
   for (const auto& [id, share] : record.tasks)
     object["tasks"].push_back({{"id", id}, {"share", share}});
@@ -132,6 +133,7 @@ std::optional<WorkerRecord> worker_record_from_json(const std::string& text) {
   try {
     const json object = json::parse(text);
     auto record = object.get<WorkerRecord>();
+    record.estimated_seconds = object.value("estimated_seconds", 0.0);
     for (const json& task : object.at("tasks")) record.tasks[task.at("id")] = task.at("share");
     return record;
   } catch (const json::exception&) {

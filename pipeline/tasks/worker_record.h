@@ -28,6 +28,7 @@ struct WorkerRecord {
   std::map<std::string, double> tasks;  ///< running tasks → share done, 0 … 1
   std::int64_t frames = 0;              ///< number drawn so far
   double frame_seconds = 0.0;           ///< total time spent drawing them
+  double estimated_seconds = 0.0;       ///< total estimate for them; 0 in records of older versions
 };
 
 /// A new record of this process, with a unique name.

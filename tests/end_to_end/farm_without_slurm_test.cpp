@@ -1,6 +1,10 @@
-// What the commands of a farm do where there is no Slurm.
+// What the commands of a farm do where there is no Slurm, and where programs stand in for it.
 
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "pipeline/farm/fake_programs.h"
 
 #include "end_to_end/farm_study.h"
 
@@ -94,6 +98,73 @@ TEST_F(WithoutSlurm, AnExportedJobIsTheSameEachTime) {
   EXPECT_NE(first.output.find("\"specificationVersion\": \"jobtemplate-2023-09\""),
             std::string::npos);
   EXPECT_EQ(first.output, exported().output);
+}
+
+/// Programs that answer as those of Slurm. The jobs that they accept never run.
+class StandInSlurm : public Farm {
+ protected:
+  StandInSlurm() {
+    ::unsetenv("SLURM_CONF");
+    const std::string at = programs.folder().string();
+    for (const char* silent : {"scontrol", "sinfo", "squeue"}) programs.say(silent, "");
+    programs.add("sbatch", "echo x >>" + at + "/count; wc -l <" + at + "/count");
+    programs.add("scancel", "echo \"$@\" >>" + at + "/cancelled");
+  }
+
+  /// Lets squeue list the first job of the newest submission, as "17_1".
+  void queue_a_job() const {
+    std::istringstream journal(text_of(study / "farm/journal.jsonl"));
+    std::string comment;
+    for (std::string line; std::getline(journal, line);) {
+      const auto entry = nlohmann::json::parse(line);
+      if (entry["event"] == "intent" && entry["name"] == "1-motions")
+        comment = entry["comment"].get<std::string>();
+    }
+    programs.say("squeue", "18|17|1|PENDING|Priority||0:00|" + comment + "\n");
+  }
+
+  FakePrograms programs;
+  fs::path study = out / "tiny";
+};
+
+TEST_F(StandInSlurm, TheLastJobIsSubmittedAgainIfTheRecordIsNotOfTheStudy) {
+  ASSERT_EQ(run_mien({"run", manifest.string(), "--out", out.string()}).code, 0);
+  EXPECT_NE(farm({"submit"}).output.find("everything is done"), std::string::npos);
+  std::ofstream(study / "provenance.json") << "{}\n";
+  EXPECT_EQ(status()["complete"], false);
+  const Ended submitted = farm({"submit"});
+  EXPECT_EQ(submitted.code, 0) << submitted.errors;
+  EXPECT_NE(submitted.output.find("6-rest       the rest"), std::string::npos) << submitted.output;
+  EXPECT_EQ(submitted.output.find("1-motions"), std::string::npos) << submitted.output;
+  EXPECT_NE(farm({"resume"}).output.find("6-rest"), std::string::npos);
+}
+
+TEST_F(StandInSlurm, ResumesWithTheQualityOfTheSubmission) {
+  const auto motions = [&](const char* number) {
+    return text_of(study / "farm" / number / "1-motions.sbatch");
+  };
+  ASSERT_EQ(farm({"submit"}, {"--quality", "standard"}).code, 0);
+  EXPECT_NE(motions("0001").find("--quality 'standard'"), std::string::npos);
+  const Ended resumed = farm({"resume"});
+  ASSERT_EQ(resumed.code, 0) << resumed.errors;
+  EXPECT_NE(motions("0002").find("--quality 'standard'"), std::string::npos) << motions("0002");
+  EXPECT_NE(resumed.errors.find("note: --quality standard, as in submission 0001"),
+            std::string::npos)
+      << resumed.errors;
+  EXPECT_NE(resumed.output.find("--quality standard shows the progress"), std::string::npos);
+  ASSERT_EQ(farm({"resume"}, {"--quality", "final"}).code, 0);
+  EXPECT_NE(motions("0003").find("--quality 'final'"), std::string::npos) << motions("0003");
+}
+
+TEST_F(StandInSlurm, CancelsJobsOfWhichTheFolderIsAway) {
+  ASSERT_EQ(farm({"submit"}).code, 0);
+  queue_a_job();
+  fs::remove_all(study);
+  const Ended cancelled = farm({"cancel"});
+  EXPECT_EQ(cancelled.code, 0) << cancelled.errors;
+  EXPECT_NE(cancelled.output.find("1 job cancelled"), std::string::npos) << cancelled.output;
+  EXPECT_EQ(programs.text_of("cancelled"), "17_1\n");
+  EXPECT_FALSE(fs::exists(study)) << "its disk may not be mounted";
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/slurm/slurm.h"
+#include "pipeline/farm/submission.h"
 
 namespace mien::pipeline {
 
@@ -28,15 +32,32 @@ void note_cancelled(const std::vector<JobStatus>& statuses, const SubmissionJour
   }
 }
 
+/// Jobs of the queue. Without Slurm there are none, unless the journal says that there were.
+std::vector<QueueRow> queue_to_cancel(const JournalContent& journal, const Slurm& slurm) {
+  return journal.jobs.empty() && !slurm.is_installed() ? std::vector<QueueRow>() : slurm.queue();
+}
+
+/// The live jobs of the study. Those that its journal lacks, for instance because the study's
+/// folder is away, are known by their comments.
+std::vector<std::string> jobs_to_cancel(const std::vector<JobStatus>& statuses,
+                                        const std::vector<QueueRow>& queue,
+                                        const FarmStudy& study) {
+  std::vector<std::string> jobs = live_jobs(statuses);
+  const std::string key = graph_key(study.production.graph(), study.folder);
+  for (const std::string& job : live_jobs_of_graph(queue, key)) {
+    if (std::ranges::find(jobs, job) == jobs.end()) jobs.push_back(job);
+  }
+  return jobs;
+}
+
 int cancel_study(const CancelCommand& command, const Console& console) {
   const FarmStudy study(command.study, console);
   const SubmissionJournal journal(study.folder);
   const JournalContent content = journal.read();
   const Slurm slurm;
-  const std::vector<JobStatus> statuses = content.jobs.empty()
-                                              ? std::vector<JobStatus>()
-                                              : job_statuses(content, slurm.queue(), study.folder);
-  const std::vector<std::string> jobs = live_jobs(statuses);
+  const std::vector<QueueRow> queue = queue_to_cancel(content, slurm);
+  const std::vector<JobStatus> statuses = job_statuses(content, queue, study.folder);
+  const std::vector<std::string> jobs = jobs_to_cancel(statuses, queue, study);
   slurm.cancel(jobs);
   note_cancelled(statuses, journal, console);
   if (command.json) {

@@ -1,5 +1,7 @@
 #include "pipeline/commands/farm/farm.h"
 
+#include <utility>
+
 #include "motion/text/shell_word.h"
 #include "pipeline/commands/line/installed_manifests.h"
 #include "pipeline/commands/line/production_options.h"
@@ -35,10 +37,15 @@ std::vector<CommandOption> farm_options(FarmArguments& arguments) {
           quality_option(arguments.quality)};
 }
 
-FarmStudy::FarmStudy(const FarmArguments& arguments, const Console& console)
+FarmManifest::FarmManifest(const FarmArguments& arguments, const Console& console)
     : file(absolute_path(resolve_manifest(arguments.manifest, console))),
-      production(load_with_warnings(file, arguments.out, console), production_options(arguments)),
-      folder(absolute_path(arguments.out) / production.manifest().study) {}
+      manifest(load_with_warnings(file, arguments.out, console)),
+      folder(absolute_path(arguments.out) / manifest.study) {}
+
+FarmStudy::FarmStudy(FarmManifest read, const FarmArguments& arguments)
+    : file(std::move(read.file)),
+      production(std::move(read.manifest), production_options(arguments)),
+      folder(std::move(read.folder)) {}
 
 StudyCall FarmStudy::call(const FarmArguments& arguments) const {
   StudyCall call;

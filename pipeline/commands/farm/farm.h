@@ -19,10 +19,21 @@ struct FarmArguments {
 /// The argument for the manifest and the options --out and --quality.
 std::vector<CommandOption> farm_options(FarmArguments& arguments);
 
+/// The manifest of a farm command.
+struct FarmManifest {
+  /// Reads the manifest. Throws Faults if it is invalid.
+  FarmManifest(const FarmArguments& arguments, const Console& console);
+
+  std::filesystem::path file;  ///< absolute
+  Manifest manifest;
+  std::filesystem::path folder;  ///< out/<study>, absolute
+};
+
 /// The study of a farm command. Paths are absolute, because jobs start in other folders.
 struct FarmStudy {
-  /// Reads the manifest. Throws Faults if it is invalid.
-  FarmStudy(const FarmArguments& arguments, const Console& console);
+  FarmStudy(const FarmArguments& arguments, const Console& console)
+      : FarmStudy(FarmManifest(arguments, console), arguments) {}
+  FarmStudy(FarmManifest read, const FarmArguments& arguments);
 
   std::filesystem::path file;  ///< the manifest
   Production production;

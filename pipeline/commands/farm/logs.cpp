@@ -7,7 +7,6 @@
 #include "pipeline/commands/farm/farm.h"
 #include "pipeline/farm/farm_status.h"
 #include "pipeline/farm/jobs/element_logs.h"
-#include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/farm/slurm/slurm.h"
 #include "pipeline/farm/worker.h"
 
@@ -43,26 +42,27 @@ class LogList {
 };
 
 /// Problems according to the records of jobs and, if Slurm is available, squeue.
-std::vector<JobProblem> problems_of(const FarmStudy& study, const std::string& study_text) {
+std::vector<JobProblem> problems_of(const FarmStudy& study, const StudyState& state) {
   const JournalContent journal = SubmissionJournal(study.folder).read();
   if (journal.jobs.empty()) return {};
   std::string why;
   const auto queue = Slurm().queue_if_any(why).value_or(std::vector<QueueRow>());
-  return job_problems(job_statuses(journal, queue, study.folder),
-                      study_state(study.production, study.folder, study_text));
+  return job_problems(job_statuses(journal, queue, study.folder), state);
 }
 
 /// Shows the logs of failures: those recorded by workers, and those of failed or held jobs of all
 /// submissions.
 void show_failures(const FarmStudy& study, const LogsCommand& command, const Console& console) {
-  std::vector<JobProblem> problems = problems_of(study, study_arguments(command.study));
+  const StudyState state =
+      study_state(study.production, study.folder, study_arguments(command.study));
+  std::vector<JobProblem> problems = problems_of(study, state);
   const auto cancelled = std::stable_partition(
       problems.begin(), problems.end(),
       [](const JobProblem& problem) { return problem.kind != JobProblem::Kind::cancelled; });
   const auto cancelled_count = std::distance(cancelled, problems.end());
   problems.erase(cancelled, problems.end());
   LogList logs;
-  for (const FailedItem& failed : failed_items(study.folder))
+  for (const FailedItem& failed : present_failures(study.production.graph(), state))
     logs.add(find_logs(failed.item, study.folder));
   logs.add(find_logs(problems, study.folder));
   logs.show(command.lines, console);

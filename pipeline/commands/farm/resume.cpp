@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "motion/error.h"
 #include "pipeline/commands/farm/submission_options.h"
@@ -66,6 +67,7 @@ ItemNeeds needs_of(const std::vector<JobStatus>& statuses, const FarmStudy& stud
   if (!options.memory.empty()) return needs;  // given by the user
   MemoryNeeds memory = memory_needs(statuses, study.folder);
   needs.memory = std::move(memory.more);
+  needs.rest_memory = std::move(memory.rest);
   if (!memory.unknown.empty())
     console.err << "note: " << memory.unknown.front()
                 << (memory.unknown.size() > 1 ? " and others" : "")
@@ -73,18 +75,26 @@ ItemNeeds needs_of(const std::vector<JobStatus>& statuses, const FarmStudy& stud
   return needs;
 }
 
-/// The options of the last accepted submission, overridden by those of this one.
-JournalSubmission requested_resubmission(const ResumeCommand& command,
-                                         const JournalContent& journal, const FarmStudy& study) {
+/// The last accepted submission. Throws Error if there is none.
+const JournalSubmission& resumable_submission(const JournalContent& journal,
+                                              const FarmManifest& read,
+                                              const FarmArguments& arguments) {
   const JournalSubmission* earlier = last_accepted(journal);
   if (earlier == nullptr)
-    throw Error(study.folder.string() + ": nothing has been submitted yet" +
+    throw Error(read.folder.string() + ": nothing has been submitted yet" +
                     (journal.submissions.empty() ? "" : " (Slurm refused earlier submissions)"),
-                "use mien farm submit " + study_arguments(command.study) +
-                    ", or without Slurm mien run " + study_arguments(command.study));
-  JournalSubmission requested = requested_submission(command.options, *earlier);
-  requested.quality = command.study.quality;
-  return requested;
+                "use mien farm submit " + study_arguments(arguments) +
+                    ", or without Slurm mien run " + study_arguments(arguments));
+  return *earlier;
+}
+
+/// Quality to resume with: without --quality, that of the last accepted submission.
+std::string quality_to_resume(const FarmArguments& arguments, const JournalSubmission& earlier,
+                              const Console& console) {
+  if (!arguments.quality.empty() || earlier.quality.empty()) return arguments.quality;
+  console.err << "note: --quality " << earlier.quality << ", as in submission " << earlier.number
+              << '\n';
+  return earlier.quality;
 }
 
 /// Jobs that a new submission replaces.
@@ -124,11 +134,15 @@ Submitted replace(const SupersededJobs& jobs, const Submission& submission,
   return submit(submission, slurm, journal, live);
 }
 
-int resume_study(const ResumeCommand& command, const Console& console) {
-  FarmStudy study(command.study, console);
-  const SubmissionJournal journal(study.folder);
+int resume_study(ResumeCommand command, const Console& console) {
+  FarmManifest read(command.study, console);
+  const SubmissionJournal journal(read.folder);
   const JournalContent content = journal.read();
-  JournalSubmission requested = requested_resubmission(command, content, study);
+  const JournalSubmission& earlier = resumable_submission(content, read, command.study);
+  command.study.quality = quality_to_resume(command.study, earlier, console);
+  JournalSubmission requested = requested_submission(command.options, earlier);
+  requested.quality = command.study.quality;
+  FarmStudy study(std::move(read), command.study);
   const Slurm slurm;
   const SlurmSite site = slurm.site();
   refuse_too_many_processors(requested.request, slurm);
@@ -142,7 +156,7 @@ int resume_study(const ResumeCommand& command, const Console& console) {
 
   const DueWork work = due_work(study, requested, statuses);
   if (!command.dry_run) remove_old_submissions(all_statuses, work, study, console);
-  if (work.is_done(study)) {
+  if (work.is_done) {
     cancel_superseded(superseded, command, slurm, console);
     console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
@@ -183,9 +197,10 @@ Command farm_resume_command() {
                "Print the jobs and their batch files; write, cancel and submit nothing"),
           flag("--json", &options->json, "List of submitted jobs as JSON on standard output")),
       .notes =
-          "Resources are those of the last submission unless options say otherwise, with twice the "
-          "memory for\n"
-          "jobs that ran out of it. Jobs that Slurm holds are cancelled and submitted again.\n\n"
+          "Resources and quality are those of the last submission unless options say otherwise, "
+          "with\n"
+          "twice the memory for jobs that ran out of it. Jobs that Slurm holds are cancelled and\n"
+          "submitted again.\n\n"
           "Example:\n"
           "  mien farm resume my.yaml --out /shared/studies",
       .run = [options](const Console& console) { return resume_study(*options, console); }};

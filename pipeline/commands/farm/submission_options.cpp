@@ -15,6 +15,7 @@
 #include "pipeline/farm/jobs/job_status.h"
 #include "pipeline/farm/jobs/worker_reports.h"
 #include "pipeline/farm/queue_capacity.h"
+#include "pipeline/production/run/run.h"
 #include "pipeline/tasks/progress.h"
 
 namespace mien::pipeline {
@@ -36,20 +37,6 @@ void require_form(const std::string& value, const char* form, const std::string&
                   const std::string& what, const std::string& remedy) {
   if (value.empty() || std::regex_match(value, std::regex(form))) return;
   throw Error(option + ": \"" + value + "\" is not a valid " + what, remedy);
-}
-
-/// Measured seconds per estimated second of drawing, according to this study's workers.
-double measured_pace(const FarmStudy& study, const std::map<std::string, int>& frames) {
-  const double measured = seconds_per_frame(worker_reports(study.folder));
-  double seconds = 0.0;
-  double count = 0.0;
-  for (const Task& task : study.production.graph().tasks) {
-    const auto length = frames.find(task.id);
-    if (length == frames.end()) continue;
-    seconds += task.cost_seconds;
-    count += length->second;
-  }
-  return measured > 0.0 && seconds > 0.0 ? measured / (seconds / count) : 1.0;
 }
 
 Chunking chunking_of(const DueWork& work, const JournalSubmission& requested) {
@@ -162,22 +149,18 @@ void refuse_too_many_processors(const JobRequest& request, const Slurm& slurm) {
       "request at most that many, or another --partition; sinfo -N -l lists the nodes");
 }
 
-bool DueWork::is_done(const FarmStudy& study) const {
-  std::error_code error;
-  return std::none_of(is_due.begin(), is_due.end(), [](bool one) { return one; }) &&
-         std::filesystem::exists(study.folder / "provenance.json", error);
-}
-
 DueWork due_work(FarmStudy& study, const JournalSubmission& requested,
                  const std::vector<JobStatus>& statuses) {
   DueWork work;
   const TaskGraph& graph = study.production.graph();
   const std::vector<TaskOutcome> planned = plan(graph, study.folder);
   for (const TaskOutcome& one : planned) work.is_due.push_back(one.state != TaskState::cached);
+  work.is_done = std::find(work.is_due.begin(), work.is_due.end(), true) == work.is_due.end() &&
+                 is_recorded(study.production, planned, study.folder);
   work.frames = measured_film_lengths(study.production, study.folder);
   work.film_progress = stored_film_progress(graph, planned, work.frames, study.folder);
   add_frames_of_live_jobs(statuses, work.frames, study.folder, work.film_progress);
-  work.pace = measured_pace(study, work.frames) / requested.request.processors;
+  work.pace = measured_pace(worker_reports(study.folder)) / requested.request.processors;
   return work;
 }
 
@@ -198,7 +181,7 @@ std::vector<Stage> all_stages(FarmStudy& study, const JournalSubmission& request
   DueWork work;
   work.is_due.assign(study.production.graph().tasks.size(), true);
   work.frames = measured_film_lengths(study.production, study.folder);
-  work.pace = measured_pace(study, work.frames) / requested.request.processors;
+  work.pace = measured_pace(worker_reports(study.folder)) / requested.request.processors;
   return stages_of_due_work(study, work, chunking_of(work, requested));
 }
 

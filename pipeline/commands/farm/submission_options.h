@@ -43,11 +43,9 @@ struct DueWork {
   std::vector<bool> is_due;           ///< for each task: whether it remains
   std::map<std::string, int> frames;  ///< number of frames of each film, by its task
   ProgressByFilm film_progress;       ///< progress of films that have been started
-  double pace = 1.0;  ///< measured seconds of an array task per estimated second of its
-                      ///< work, with the requested number of processors
-
-  /// Whether all artifacts exist, including the study's record.
-  bool is_done(const FarmStudy& study) const;
+  double pace = 1.0;     ///< measured seconds of an array task per estimated second of its
+                         ///< work, with the requested number of processors
+  bool is_done = false;  ///< all artifacts exist, and provenance.json describes them
 };
 
 /// The tasks whose artifacts are missing from the store. Frames that are stored or assigned to live

@@ -79,7 +79,7 @@ int submit_study(const SubmitCommand& command, const Console& console) {
   refuse_second(live_jobs(statuses), command.study);
   const DueWork work = due_work(study, requested, {});
   remove_old_submissions(statuses, work, study, console);
-  if (work.is_done(study)) {
+  if (work.is_done) {
     console.out << study.folder.string() << ": nothing to do, everything is done\n";
     return exit_done;
   }

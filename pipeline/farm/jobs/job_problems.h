@@ -30,10 +30,11 @@ struct JobProblem {
 /// The present state of a study, against which its jobs are compared.
 struct StudyState {
   std::filesystem::path folder;
-  std::string graph_key;       ///< graph_key of the study (submission.h)
-  std::set<std::string> done;  ///< tasks whose artifacts exist
-  bool is_complete = false;    ///< all artifacts exist, including provenance.json
-  std::string words;           ///< the study's arguments in suggested commands: "my.yaml --out o"
+  std::string graph_key;           ///< graph_key of the study (submission.h)
+  std::set<std::string> done;      ///< tasks whose artifacts exist
+  bool has_all_artifacts = false;  ///< every task is done
+  bool is_complete = false;        ///< every task is done, and provenance.json describes the result
+  std::string words;  ///< the study's arguments in suggested commands: "my.yaml --out o"
 };
 
 /// Problems of the jobs of all submissions, in order of submission. A failed job is listed as long

@@ -12,8 +12,9 @@ namespace mien::pipeline {
 
 namespace {
 
-/// Workers report every few seconds from their start. The clocks of a cluster's machines, and most
-/// likely of its file server, differ by five minutes at most, as Slurm requires.
+/// Workers report every few seconds from their start. Slurm measures how long a job has run, and
+/// the file system how old a report is: clocks of machines are not compared, but five minutes are
+/// allowed for reports that a shared file system shows late.
 constexpr double report_timeout_s = 420.0;
 
 std::string node_state_of(const std::string& node, const NodeStates& nodes) {

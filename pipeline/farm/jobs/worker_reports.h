@@ -10,19 +10,22 @@ namespace mien::pipeline {
 
 /// The record that a worker process writes every few seconds, and its age.
 struct WorkerReport : WorkerRecord {
-  bool has_ended = false;     ///< proven: recorded, or the process no longer exists (is_gone)
-  double report_age_s = 0.0;  ///< seconds since its last record
+  bool has_ended = false;  ///< proven: recorded, or the process no longer exists (is_gone)
+  /// Seconds since its last record, by the clock of the folder's file system.
+  double report_age_s = 0.0;
 
   /// Whether the worker is active: it has not ended and its last record is recent.
   bool is_alive() const;
   double frames_per_second() const;
 };
 
-/// All readable reports in a study's folder, sorted by host and process.
+/// All readable reports in a study's folder, sorted by host and process. Writes and removes a file
+/// beside them, to learn the time of the file system, if that is possible.
 std::vector<WorkerReport> worker_reports(const std::filesystem::path& folder);
 
-/// Mean rendering time per frame, seconds; 0 if no frame has been rendered.
-double seconds_per_frame(const std::vector<WorkerReport>& reports);
+/// Measured seconds of drawing per estimated second, over all frames of which the estimate is
+/// known, whatever their quality and size were; 1 if there are none.
+double measured_pace(const std::vector<WorkerReport>& reports);
 
 /// A failed item as recorded in a file in farm/failures/.
 struct FailedItem {

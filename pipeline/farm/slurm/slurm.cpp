@@ -140,6 +140,10 @@ CommandResult Slurm::run(const std::vector<std::string>& words) const {
   return end;
 }
 
+bool Slurm::is_installed() const {
+  return !run_command({"squeue", "--version"}, limit_).is_missing;
+}
+
 SlurmSite Slurm::site() const { return parse_site(run({"scontrol", "show", "config"}).output); }
 
 std::vector<NodeShape> Slurm::nodes() const {

@@ -36,6 +36,9 @@ class Slurm {
  public:
   explicit Slurm(std::chrono::milliseconds limit = std::chrono::seconds(60)) : limit_(limit) {}
 
+  /// Whether this machine has Slurm's commands.
+  bool is_installed() const;
+
   /// The site's limits and settings.
   SlurmSite site() const;
 

@@ -197,7 +197,8 @@ void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
   give_back_memory();
   const FrameFormat kept = store != nullptr ? settings.output.frames : FrameFormat::none;
   FrameDrawer drawer(shot, settings, kept, stop);
-  FrameWriter writer(settings, shot.tone, kept != FrameFormat::none ? store : nullptr, sink);
+  const double wait = kept == FrameFormat::none ? settings.kept_after_seconds : 0.0;
+  FrameWriter writer(settings, shot.tone, {store, steady_seconds() + wait}, sink);
   const auto stored = [&](int frame) {
     return reusable_frame(store, frame, settings.output, shot.tone);
   };

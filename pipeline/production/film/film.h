@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct FilmSettings {
   Stopwatch* drawing = nullptr;  ///< if not null, runs while frames are prepared, traced or encoded
   int eyes = 1;                  ///< pictures side by side in each frame: 2 for a stereo pair
   bool loops = false;            ///< animated pictures repeat endlessly
+
+  /// Where the output has no frames, those are stored nevertheless that are passed on when drawing
+  /// has taken this long.
+  double kept_after_seconds = std::numeric_limits<double>::infinity();
 
   /// Called for each rendered frame with the seconds since its rendering began or since the
   /// previous frame was passed on, whichever was later. The sum of these is the rendering time.
@@ -64,10 +69,10 @@ using FrameSink = std::function<void(int frame, const render::Image8& picture)>;
 /// waits for this thread. If a film is abandoned, the frames in flight are lost.
 ///
 /// With `store`, frames that it contains are not rendered again, and each new frame is stored. If
-/// the output's frame format is none, new frames are not stored, but PNG frames that the store
-/// contains are still used. The sink receives the stored pictures, so that a resumed film is
-/// identical. Throws Interrupted soon after a stop request, and whatever the tracer, the store or
-/// the sink throw.
+/// the output's frame format is none, new frames are not stored before `kept_after_seconds`, but
+/// PNG frames that the store contains are used. The sink receives the stored pictures, so that a
+/// resumed film is identical. Throws Interrupted soon after a stop request, and whatever the
+/// tracer, the store or the sink throw.
 void draw_frames(const scenes::Shot& shot, const std::vector<int>& frames,
                  const FilmSettings& settings, FrameStore* store, const FrameSink& sink,
                  const std::stop_token& stop, const std::function<void(double)>& progress);

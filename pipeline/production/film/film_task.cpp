@@ -57,9 +57,11 @@ std::vector<std::string> names_of(const std::vector<int>& frames, FrameFormat fo
   return names;
 }
 
-/// Films that take longer are kept frame by frame while they are made, so that an interrupted run
-/// loses little; the others are drawn again faster than their frames are written.
+/// Films whose estimate is longer are kept frame by frame while they are made, so that an
+/// interrupted run loses little; the others are drawn again faster than their frames are written.
 constexpr double resumable_from_seconds = 60.0;
+/// Estimates are wrong at times: other films are kept from this moment of their making.
+constexpr double kept_after_seconds = 30.0;
 
 /// Makes one film or a part of it; lives as long as the task runs.
 class FilmMaker {
@@ -78,8 +80,10 @@ class FilmMaker {
                       ? std::nullopt
                       : film_sound(subject.film, subject.equalize.loudness, shot_.frame_count())) {
     settings_.light_cache = disk_light_cache(run.store, run.stop);
-    settings_.on_frame_drawn = [&run](double seconds) {
-      run.store.heartbeat().count_frame(seconds);
+    settings_.kept_after_seconds = kept_after_seconds;
+    settings_.on_frame_drawn = [&run, estimated = run.task.cost_seconds /
+                                                  shot_.frame_count()](double seconds) {
+      run.store.heartbeat().count_frame(seconds, estimated);
     };
     record_.exposure_stops = static_cast<double>(equalized.exposure_stops);
     record_.figure_px = scenes::figure_pixels(shot_.cameras);

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "pipeline/tasks/progress.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -10,9 +12,9 @@ constexpr std::size_t waiting_frames = 1;
 
 }  // namespace
 
-FrameWriter::FrameWriter(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
-                         const FrameSink& sink)
-    : settings_(settings), tone_(tone), store_(store), sink_(sink), queue_(waiting_frames) {
+FrameWriter::FrameWriter(const FilmSettings& settings, const render::Tone& tone,
+                         const FrameKeeping& kept, const FrameSink& sink)
+    : settings_(settings), tone_(tone), kept_(kept), sink_(sink), queue_(waiting_frames) {
   thread_ = std::thread([this] { write_all(); });
 }
 
@@ -42,11 +44,11 @@ void FrameWriter::write_all() {
 
 // The picture as its file has it, if it is written to one; moves the frame's own picture.
 render::Image8 FrameWriter::stored_picture(PendingFrame& frame) {
-  if (frame.is_stored || store_ == nullptr)
+  if (frame.is_stored || kept_.store == nullptr || steady_seconds() < kept_.from_seconds)
     return std::move(std::get<render::Image8>(frame.picture));
   const FrameFormat format = settings_.output.frames;
   render::Image8 read_back;
-  store_->put(
+  kept_.store->put(
       frame_name(format, frame.number),
       [&](const std::filesystem::path& file) { write_frame(file, frame.picture); },
       [&](const std::filesystem::path& file) {

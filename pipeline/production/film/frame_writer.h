@@ -17,11 +17,17 @@ struct PendingFrame {
   bool is_stored = false;
 };
 
+/// Where a writer stores frames, and from when on.
+struct FrameKeeping {
+  FrameStore* store = nullptr;  ///< null: frames are not stored
+  double from_seconds = 0.0;    ///< nor before this time of the monotonic clock (steady_seconds)
+};
+
 /// Writes frames to the store, if any, reads them back and passes them to a sink, in a separate
 /// thread. All arguments must outlive the object.
 class FrameWriter {
  public:
-  FrameWriter(const FilmSettings& settings, const render::Tone& tone, FrameStore* store,
+  FrameWriter(const FilmSettings& settings, const render::Tone& tone, const FrameKeeping& kept,
               const FrameSink& sink);
   ~FrameWriter();
 
@@ -38,7 +44,7 @@ class FrameWriter {
 
   const FilmSettings& settings_;
   const render::Tone& tone_;
-  FrameStore* store_;
+  const FrameKeeping kept_;
   const FrameSink& sink_;
   BoundedQueue<PendingFrame> queue_;
   std::exception_ptr failure_;

@@ -128,6 +128,12 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
   return result;
 }
 
+bool is_recorded(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                 const std::filesystem::path& folder) {
+  const Hash key = hash_of(provenance(production.manifest(), outcomes));
+  return find_artifact(folder, provenance_path, key).has_value();
+}
+
 std::vector<std::string> grouped_warnings(
     const std::vector<std::pair<std::string, std::string>>& said) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;

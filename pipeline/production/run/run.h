@@ -43,6 +43,12 @@ RunResult run(Production& production, const std::filesystem::path& folder, int j
               const std::stop_token& stop, const RunObserver& observer,
               Sharing sharing = Sharing::shared);
 
+/// Whether the study's record, provenance.json, is of its present state: of the manifest, its
+/// inputs and these artifacts. `outcomes`: one per task of the whole production, all of them
+/// complete.
+bool is_recorded(const Production& production, const std::vector<TaskOutcome>& outcomes,
+                 const std::filesystem::path& folder);
+
 /// Returns one line per warning, with the names of the stimuli that it concerns: "sad-walk,
 /// happy-walk, … and 41 more: the left foot slides". `said` holds pairs of a name and a warning;
 /// lines are in the order of the warnings' first occurrence.

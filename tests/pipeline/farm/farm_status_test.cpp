@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "pipeline/farm/film_progress.h"
 #include "pipeline/farm/jobs/element_logs.h"
 #include "pipeline/farm/submission.h"
+#include "pipeline/farm/worker.h"
 #include "pipeline/manifest/checks/checked_manifest.h"
 #include "pipeline/production/run/run.h"
 #include "pipeline/tasks/task_graph.h"
@@ -29,12 +31,19 @@ stimuli:
 
 class FarmStatusOfAStudy : public testing::Test {
  protected:
-  FarmStatusOfAStudy() {
-    std::ofstream(temporary.path() / "tiny.yaml") << manifest_text;
+  FarmStatusOfAStudy() { write_manifest(manifest_text); }
+
+  void write_manifest(const std::string& text) {
+    std::ofstream(temporary.path() / "tiny.yaml") << text;
     ProductionOptions options;
     options.jobs = 2;
     production.emplace(load_manifest(temporary.path() / "tiny.yaml", process_environment()),
                        options);
+  }
+
+  void make(const std::vector<std::string>& items) const {
+    const TaskGraph& graph = production->graph();
+    ASSERT_EQ(work(graph_of_items(graph, items), items, folder, 2, {}, {}, "").code(), 0);
   }
 
   void write(const std::string& name, const std::string& text) const {
@@ -44,6 +53,13 @@ class FarmStatusOfAStudy : public testing::Test {
 
   void write_record(const WorkerRecord& record) const {
     write(".mien/workers/" + record.name + ".json", to_json(record));
+  }
+
+  /// Where frames of a film are kept whose motion is made, in the study's folder.
+  std::string frames_of(const std::string& film) const {
+    const TaskGraph& graph = production->graph();
+    const StoredSequence kept = stored_sequence(graph.task(film), graph, quick_plan(graph, folder));
+    return ".mien/partial/" + kept.path + "/" + kept.key + "/frames/";
   }
 
   /// The comment of a job of the first submission of the study as it is.
@@ -95,6 +111,27 @@ TEST_F(FarmStatusOfAStudy, TellsThatAllIsDoneAsPlanDoes) {
   }
 }
 
+TEST_F(FarmStatusOfAStudy, IsNotCompleteWhileItsRecordIsOfAnEarlierState) {
+  run(*production, folder, 2, {}, {});
+  std::string edited = manifest_text;
+  edited.replace(edited.find("{sad: 1}"), 8, "{sad: 0.5, normal: 0.5}");
+  write_manifest(edited);
+  std::vector<std::string> items;
+  for (const Task& task : production->graph().tasks) items.push_back(task.id);
+  make(items);
+  const FarmStatus made = status();
+  for (const StageProgress& share : made.stages) EXPECT_EQ(share.done, share.total) << share.name;
+  EXPECT_FALSE(made.is_complete);
+  EXPECT_NE(status_text(made).find("describes an earlier state of the study; mien run tiny.yaml"),
+            std::string::npos)
+      << status_text(made);
+  run(*production, folder, 2, {}, {});
+  EXPECT_TRUE(status().is_complete);
+  EXPECT_EQ(status_text(status()).find("earlier state"), std::string::npos);
+  fs::remove(folder / "provenance.json");
+  EXPECT_FALSE(status().is_complete);
+}
+
 /// A worker of another machine that has drawn 20 frames.
 WorkerRecord worker(const std::string& name) {
   WorkerRecord record;
@@ -116,9 +153,10 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   ended.ended = true;
   write_record(ended);
   write(".mien/workers/n1-3-c.json", R"({"host":"n1","pid)");
-  write(".mien/partial/frames/one/key/frames/00000.png", "x");
-  write(".mien/partial/frames/one/key/frames/00001.png", "x");
-  write(".mien/partial/frames/one/key/notes/n1-1-a", "x");
+  make({"motion:one"});
+  write(frames_of("film:one") + "00000.png", "x");
+  write(frames_of("film:one") + "00001.png", "x");
+  write(frames_of("film:one") + "../notes/n1-1-a", "x");
   write("farm/failures/film_two.json",
         R"({"item":"film:two","error":"no space left","code":75,"host":"n2","when":"noon",)"
         R"("attempts":3,"command":"mien farm worker tiny.yaml --tasks film:two"})");
@@ -154,6 +192,35 @@ TEST_F(FarmStatusOfAStudy, TellsWhoWorksWhatWaitsAndWhatFailed) {
   EXPECT_EQ(told["failed"][0]["item"], "film:two");
 }
 
+TEST_F(FarmStatusOfAStudy, CountsNoFramesOfAnEarlierState) {
+  make({"motion:one"});
+  for (const char* frame : {"00000.png", "00001.png", "00002.png"})
+    write(std::string(".mien/partial/frames/one/before/frames/") + frame, "x");
+  EXPECT_EQ(status().frames.done, 0);
+  write(frames_of("film:one") + "00004.png", "x");
+  EXPECT_EQ(status().frames.done, 1);
+}
+
+TEST_F(FarmStatusOfAStudy, ForgetsFailuresOfWhatIsMadeOrGone) {
+  make({"film:one"});
+  for (const char* item : {"film:one", "film:one[1/2]", "film:two[1/2]", "film:removed"})
+    write(failure_path("", item).string(), "{\"item\":\"" + std::string(item) + "\"}");
+  const FarmStatus now = status();
+  ASSERT_EQ(now.failed.size(), 1u);
+  EXPECT_EQ(now.failed[0].item, "film:two[1/2]");
+}
+
+TEST_F(FarmStatusOfAStudy, MeasuresSilenceByTheClockThatStampsTheFiles) {
+  write_record(worker("n1-1-a"));
+  write_record(worker("n1-2-b"));
+  const auto ahead = fs::file_time_type::clock::now() + std::chrono::minutes(10);
+  fs::last_write_time(folder / ".mien/workers/n1-1-a.json", ahead);
+  fs::last_write_time(folder / ".mien/workers/n1-2-b.json", ahead - std::chrono::minutes(5));
+  for (const WorkerReport& report : worker_reports(folder))
+    EXPECT_EQ(report.is_alive(), report.name == "n1-1-a") << report.name;
+  EXPECT_EQ(status().nodes.at(0).workers, 1);
+}
+
 TEST_F(FarmStatusOfAStudy, TellsThatItsFolderIsAwayWhereSlurmHasJobsOfIt) {
   EXPECT_EQ(status("1|1|1|RUNNING|None|n1|0:01|another's\n").disk, "");
   const FarmStatus away = status("1|1|1|RUNNING|None|n1|0:01|" + named("2-frames") + "\n");
@@ -181,6 +248,35 @@ TEST_F(FarmStatusOfAStudy, DoesNotTakeASilentWorkerForALivingOne) {
   fs::last_write_time(folder / ".mien/workers/n1-1-a.json",
                       fs::file_time_type::clock::now() - std::chrono::minutes(5));
   EXPECT_FALSE(status().is_active());
+}
+
+WorkerReport drawing(double seconds, double estimated) {
+  WorkerReport report;
+  report.frames = 100;
+  report.frame_seconds = seconds;
+  report.estimated_seconds = estimated;
+  return report;
+}
+
+TEST(MeasuredPace, IsOfTheFramesThatWereDrawnWhateverTheirQuality) {
+  const WorkerReport draft = drawing(2.0, 1.0);
+  const WorkerReport final_quality = drawing(200.0, 100.0);
+  const WorkerReport former = drawing(50.0, 0.0);
+  EXPECT_DOUBLE_EQ(measured_pace({draft, former}), 2.0);
+  EXPECT_DOUBLE_EQ(measured_pace({draft, final_quality}), 2.0);
+  EXPECT_DOUBLE_EQ(measured_pace({}), 1.0);
+  EXPECT_DOUBLE_EQ(measured_pace({former}), 1.0) << "its estimate is not known";
+}
+
+TEST(MeasuredPace, IsInTheRecordsOfWorkersButNotInThoseOfOlderVersions) {
+  const auto read = worker_record_from_json(to_json(drawing(2.0, 1.5)));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_DOUBLE_EQ(read->estimated_seconds, 1.5);
+  nlohmann::json former = nlohmann::json::parse(to_json(drawing(2.0, 1.5)));
+  former.erase("estimated_seconds");
+  const auto read_former = worker_record_from_json(former.dump());
+  ASSERT_TRUE(read_former.has_value());
+  EXPECT_DOUBLE_EQ(read_former->estimated_seconds, 0.0);
 }
 
 class Logs : public testing::Test {

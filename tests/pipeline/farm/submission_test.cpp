@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/farm/fake_programs.h"
+#include "pipeline/farm/memory_amount.h"
 #include "pipeline/farm/resumption.h"
 #include "pipeline/temporary_folder.h"
 
@@ -89,6 +90,24 @@ TEST_F(Submitting, GivesMoreMemoryToThoseThatRanOutOfIt) {
             std::string::npos);
   EXPECT_NE(script_text(submission, submission.stages[0].jobs[1]).find("--mem=\"4G\""),
             std::string::npos);
+}
+
+TEST_F(Submitting, GivesTheLargestMemoryToElementsAndTheLastJob) {
+  needs.memory = {{"film:1", "512M"}, {"film:2", "4G"}, {"film:3", "3000M"}};
+  Stage stage{"films", {}};
+  stage.elements.push_back({{"film:1", "film:2", "film:3"}, 60.0, 30});
+  Submission submission = planned({stage});
+  EXPECT_EQ(submission.stages[0].jobs[0].request.memory, "4G");
+  EXPECT_EQ(submission.stages[1].jobs[0].request.memory, "4G");
+  needs.rest_memory = "8G";
+  submission = planned({stage});
+  EXPECT_EQ(submission.stages[0].jobs[0].request.memory, "4G");
+  EXPECT_EQ(submission.stages[1].jobs[0].request.memory, "8G");
+  needs = {};
+  needs.memory = {{"film:1", "512M"}};
+  EXPECT_EQ(planned({stage}).stages[0].jobs[0].request.memory, "2G") << "more than it needs";
+  needs = {};
+  EXPECT_EQ(planned({}).stages[0].jobs[0].request.memory, "2G") << "as requested";
 }
 
 TEST_F(Submitting, WritesFilesOnceAndNumbersSubmissions) {
@@ -330,6 +349,42 @@ TEST_F(Resuming, AsksForTwiceTheMemoryThatWasTooLittle) {
   memory = "";
   EXPECT_EQ(memory_needs(statuses(queue), folder).unknown,
             (std::vector<std::string>{"film:a[1/2]", "film:a[2/2]", "film:c"}));
+}
+
+TEST_F(Resuming, AsksForTwiceTheMemoryOfTheLastJob) {
+  const std::string queue = "18|18|N/A|OUT_OF_MEMORY|OutOfMemory|n1|0:01|mien:abc:0001:6-rest\n";
+  EXPECT_EQ(memory_needs(statuses(queue), folder).rest, "4G") << "according to Slurm";
+  EXPECT_EQ(memory_needs(statuses(""), folder).rest, "");
+  std::ofstream(folder / "farm/0001/ends/6-rest.1") << "137 0 n1 memory\n";
+  EXPECT_EQ(memory_needs(statuses(""), folder).rest, "4G") << "according to the job";
+  EXPECT_TRUE(memory_needs(statuses(""), folder).more.empty());
+  memory = "";
+  EXPECT_EQ(memory_needs(statuses(""), folder).unknown, std::vector<std::string>{"6-rest"});
+}
+
+TEST_F(Resuming, AsksForTwiceTheLargestMemoryThatWasTooLittle) {
+  fs::create_directories(folder / "farm/0002/ends");
+  std::ofstream(folder / "farm/0001/ends/2-frames.3") << "137 0 n1 memory\n";
+  std::ofstream(folder / "farm/0002/ends/2-frames.1") << "137 0 n1 memory\n";
+  std::ofstream(folder / "farm/0002/2-frames.tasks") << "film:c\n";
+  JournalJob earlier = journal.jobs[0];
+  earlier.memory = "2G";
+  JournalJob later = earlier;
+  later.submission = "0002";
+  later.comment = "mien:abc:0002:2-frames";
+  later.memory = "1G";
+  JournalContent both;
+  both.jobs = {earlier, later};
+  EXPECT_EQ(memory_needs(job_statuses(both, {}, folder), folder).more.at("film:c"), "4G");
+}
+
+TEST(Memory, IsComparedWhateverItsUnit) {
+  EXPECT_EQ(larger_memory("2G", "3000M"), "3000M");
+  EXPECT_EQ(larger_memory("2G", "2000"), "2G");
+  EXPECT_EQ(larger_memory("1t", "900G"), "1t");
+  EXPECT_EQ(larger_memory("", "4G"), "4G");
+  EXPECT_EQ(larger_memory("4G", ""), "4G");
+  EXPECT_EQ(larger_memory("", ""), "");
 }
 
 TEST(Memory, IsDoubledInItsUnit) {

@@ -86,6 +86,19 @@ TEST_F(Worker, ChunksInAnyOrderMakeTheBytesOfAnUndisturbedRun) {
   EXPECT_FALSE(fs::exists(folder / ".mien/partial/frames/none"));
 }
 
+TEST_F(Worker, RecordsTheEstimateOfWhatItDraws) {
+  for (const char* item : {"film:none", "film:exr[1/2]", "film:exr[2/2]"})
+    EXPECT_EQ(make({item}).code(), 0);
+  double estimated = 0.0;
+  for (const WorkerRecord& record : read_worker_records(folder))
+    estimated += record.estimated_seconds;
+  const Production study = production();
+  const double expected =
+      study.graph().task("film:none").cost_seconds + study.graph().task("film:exr").cost_seconds;
+  ASSERT_GT(expected, 0.0);
+  EXPECT_NEAR(estimated / expected, 1.0, 1e-6);
+}
+
 TEST_F(Worker, OneBadFrameNeverDrawsTheOthersAgain) {
   EXPECT_EQ(make({"film:none[1/1]"}).code(), 0);
   const int drawn = frames_drawn();
@@ -124,6 +137,31 @@ TEST_F(Worker, AFailureIsToldInAFileUntilItIsMade) {
   write_file(file, tiny_manifest);
   EXPECT_EQ(make({"film:none", "film:png[1/2]"}).code(), 0);
   EXPECT_FALSE(fs::exists(told));
+}
+
+/// Clips and dots only wait for what equalizes all films; they do not read it.
+TEST_F(Worker, AFailureOfWhatAnItemWaitsForIsNoInterruption) {
+  TaskGraph graph;
+  const auto add = [&](const char* id, std::vector<std::string> after) {
+    Task task;
+    task.id = id;
+    task.after = std::move(after);
+    task.make = [](TaskRun& run) {
+      if (run.task.after.empty()) throw Error("no figure is seen", "move the camera");
+    };
+    graph.add(std::move(task));
+  };
+  add("exposure", {});
+  add("sizes", {"exposure"});
+  add("clip:a", {"sizes"});
+  add("clip:b", {"sizes"});
+  const WorkResult result = work(graph, {"clip:a", "clip:b"}, folder, 1, {}, {}, "mien farm");
+  EXPECT_FALSE(result.was_interrupted);
+  ASSERT_EQ(result.failed.size(), 2u);
+  for (const FailedWork& failed : result.failed)
+    EXPECT_NE(failed.error.find("no figure is seen"), std::string::npos) << failed.item;
+  EXPECT_EQ(result.code(), worker_bad_input);
+  EXPECT_TRUE(fs::exists(failure_path(folder, "clip:a")));
 }
 
 TEST(WorkResults, EndAsWhatMayGoBetterNextTime) {

@@ -1,7 +1,9 @@
 #include "pipeline/production/film/film.h"
 
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -95,6 +97,26 @@ TEST_F(Film, DeliversEveryFrameInOrderWhateverTheThreads) {
   more.threads = 2;
   EXPECT_EQ(one, draw(more, nullptr));
   EXPECT_NE(one.at(0), one.at(4));
+}
+
+TEST_F(Film, WithoutFramesIsKeptOnceDrawingHasTakenLong) {
+  Store store(folder);
+  FilmSettings without = settings(FrameFormat::none);
+  const Pictures expected = draw(without, store.frames("frames/a", "k").get());
+  EXPECT_FALSE(store.frames("frames/a", "k")->find("00001.png")) << "it is drawn again";
+  without.kept_after_seconds = 0.05;
+  Pictures pictures;
+  draw_frames(
+      shot, frames_of(shot), without, store.frames("frames/a", "k").get(),
+      [&](int frame, const render::Image8& picture) {
+        pictures[frame] = picture;
+        std::this_thread::sleep_for(std::chrono::milliseconds(frame == 0 ? 60 : 0));
+      },
+      stop.get_token(), [](double) {});
+  EXPECT_EQ(pictures, expected);
+  const auto kept = store.frames("frames/a", "k");
+  for (int frame = 1; frame < shot.frame_count(); ++frame)
+    EXPECT_TRUE(kept->find(frame_name(FrameFormat::none, frame))) << frame;
 }
 
 TEST_F(Film, StoresWhatItDeliversAndDeliversItAgain) {
