@@ -85,7 +85,8 @@ struct RegressionOptions {
 /// Called after each compared stimulus of the manifest with the completed share, 0 … 1.
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
-/// Compares all stimuli, or those in `study.only`. `videos` are the current videos by stimulus id.
+/// Compares all stimuli, or those in `study.only`. `videos` are the current videos by stimulus id;
+/// the videos of stimuli without an entry were not made and are not compared.
 /// Leaves `repetitions` unset (see repeated). Throws Error and Interrupted.
 Regression regress(const ComparedStudy& study,
                    const std::map<std::string, std::vector<VideoFacts>>& videos,

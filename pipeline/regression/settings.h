@@ -37,6 +37,12 @@ struct Setting {
 /// The suffix of the path of a setting that contains the hashes of named files: "clip content".
 inline constexpr char content_words[] = " content";
 
+/// Whether an option changes what a video shows around and over the film: card, cross, blanks,
+/// fades and background.
+inline bool is_of_presentation(std::string_view path) {
+  return path.starts_with("output.presentation");
+}
+
 /// Returns all settings of a manifest that affect how one of its stimuli looks, in the manifest's
 /// order, including each option of the stimulus's set and the hashes of named files ("clip
 /// content": {"walk.bvh": "0123456789ab"}). The settings of a foil include those that it inherits

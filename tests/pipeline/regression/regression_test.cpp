@@ -120,5 +120,18 @@ TEST(Regressions, TellWhereNoVideosWereApproved) {
   EXPECT_EQ(test::regressed(study).without_videos, std::vector<std::string>{"blend"});
 }
 
+TEST(Regressions, TellThatNoVideoIsMadeAnyMoreUnlessNoneWereToBeMade) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  for (auto& [id, videos] : study.videos) videos.clear();
+  const Regression none_made = test::regressed(study);
+  EXPECT_FALSE(none_made.passes());
+  EXPECT_EQ(test::comparison_of(none_made, "blend").verdict, Verdict::differs);
+  EXPECT_EQ(test::comparison_of(none_made, "blend").reasons,
+            std::vector<std::string>{"mp4: is no longer made"});
+  study.videos.clear();  // --without-videos
+  EXPECT_TRUE(test::regressed(study).passes());
+}
+
 }  // namespace
 }  // namespace mien::pipeline
