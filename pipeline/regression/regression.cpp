@@ -14,6 +14,7 @@
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/comparison.h"
+#include "pipeline/regression/overlay_comparison.h"
 #include "pipeline/regression/rendition.h"
 
 namespace mien::pipeline {
@@ -254,6 +255,7 @@ Regression regress(const ComparedStudy& study,
       result.not_compared.push_back(facts.id);
     }
   }
+  compare_overlays(study, videos, result);
   result.groups = groups_of(result.stimuli);
   result.gate = plant_defects(study);
   return result;

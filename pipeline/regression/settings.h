@@ -50,6 +50,10 @@ inline bool is_of_presentation(std::string_view path) {
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
 
+/// Returns all options of an overlay that affect its video, in the same form. Those of the motions
+/// that it shows are options of its stimuli.
+std::vector<Setting> settings_of(const Overlay& overlay, const Manifest& manifest, FileKeys& files);
+
 /// A changed option; `before` or `now` is empty if it is neither stated there nor has a default
 /// (changes_between).
 struct SettingChange {
