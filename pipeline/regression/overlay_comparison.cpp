@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "motion/text/shell_word.h"
+#include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/attribution.h"
 #include "pipeline/regression/settings.h"
 
@@ -31,8 +32,8 @@ bool has_same_pictures(const VideoChange& video) { return video.same_pictures.va
 class OverlayComparer {
  public:
   OverlayComparer(const StimulusFacts& before, const StimulusFacts& now,
-                  std::vector<const StimulusComparison*> shown)
-      : before_(before), now_(now), shown_(std::move(shown)) {
+                  std::vector<const StimulusComparison*> shown, bool shows_others)
+      : before_(before), now_(now), shown_(std::move(shown)), shows_others_(shows_others) {
     result_.id = now.id;
     result_.settings = changes_between(before.settings, now.settings);
     result_.videos = video_changes(before.videos, now.videos);
@@ -61,8 +62,12 @@ class OverlayComparer {
       return std::ranges::any_of(shown_, [&](const auto* one) { return one->verdict == verdict; });
     };
     if (has_own_change || has(Verdict::differs) || has(Verdict::appeared)) return false;
-    return !result_.settings.empty() || before_.origin != now_.origin || has(Verdict::alike);
+    const bool was_approved_later = is_of_other_motions() && !shows_others_;
+    return was_approved_later || !result_.settings.empty() || before_.origin != now_.origin ||
+           has(Verdict::alike);
   }
+
+  bool is_of_other_motions() const { return before_.motion != now_.motion; }
 
   void find_causes() {
     const auto& videos = result_.videos;
@@ -78,6 +83,11 @@ class OverlayComparer {
         add_settings(aspect, cause);
       for (const StimulusComparison* stimulus : shown_)
         add(stimulus->causes, "the overlay shows " + stimulus->id);
+      if (result_.causes.empty() && is_of_other_motions())
+        result_.causes.push_back({Cause::motion,
+                                  "motions of its stimuli",
+                                  "the overlay was approved with other motions",
+                                  {}});
       if (result_.causes.empty())
         add(program_causes({before_, before_, now_}),
             "with the same motions and settings, the video shows other frames");
@@ -105,6 +115,7 @@ class OverlayComparer {
   const StimulusFacts& before_;
   const StimulusFacts& now_;
   std::vector<const StimulusComparison*> shown_;
+  bool shows_others_;  ///< motions that were not compared: of other stimuli, or examples
   StimulusComparison result_;
 };
 
@@ -133,6 +144,11 @@ StimulusFacts overlay_facts(const Overlay& overlay, Rendition& rendition) {
   facts.origin = this_origin();
   facts.settings = settings_of(overlay, rendition.manifest(), rendition.files());
   facts.limits = rendition.manifest().regression;
+  KeyBuilder motions;
+  for (const auto& [role, name] : motions_on(overlay))
+    if (find_stimulus(rendition.manifest(), name) != nullptr)
+      motions.add(name, digest_of(rendition.clip_of(name)));
+  facts.motion = motions.key();
   return facts;
 }
 
@@ -160,8 +176,9 @@ void compare_overlays(const ComparedStudy& study,
       if (has_videos && before->videos.empty()) result.without_videos.push_back(id);
       StimulusFacts now = overlay_facts(overlay, study.now);
       now.videos = made->second;
-      compared.push_back(
-          OverlayComparer(*before, now, stimuli_on(overlay, result.stimuli)).compare());
+      const auto shown = stimuli_on(overlay, result.stimuli);
+      const bool shows_others = shown.size() < motions_on(overlay).size();
+      compared.push_back(OverlayComparer(*before, now, shown, shows_others).compare());
     }
   }
   for (const StimulusFacts& facts : approved) {

@@ -142,8 +142,9 @@ class RegressedOverlay : public testing::Test {
         nlohmann::json::parse(R"([{"id": "both", "target": "blend", "created": "wish"}])");
     study_.videos["both"] = study_.videos.at("blend");
     show("1");
-    study_.baseline =
-        test::approved_study().approved(study_, study_.folder / "baselines" / "with-overlay");
+    const std::filesystem::path folder = study_.folder / "baselines" / "with-overlay";
+    test::approved_study().approved(study_, folder);
+    study_.baseline = read_baseline(folder);
   }
 
   /// Makes its video show other frames.
@@ -190,6 +191,15 @@ TEST_F(RegressedOverlay, IsAsDifferentAsItsOptionsAndStimuli) {
   EXPECT_EQ(other.causes.at(0).cause, Cause::motion);
   study_.stimulus("blend")["weights"] = {{"normal", 0.6}, {"proud", 0.4001}};
   EXPECT_EQ(compared().verdict, Verdict::alike) << "the motion is within its limits";
+}
+
+TEST_F(RegressedOverlay, IsAcceptedWithMotionsThatWereApprovedLater) {
+  show("2");
+  study_.baseline.overlays->front().motion = "another";
+  const StimulusComparison later = compared();
+  EXPECT_EQ(later.verdict, Verdict::alike);
+  ASSERT_EQ(later.causes.size(), 1u);
+  EXPECT_EQ(later.causes[0].cause, Cause::motion);
 }
 
 TEST_F(RegressedOverlay, IsToldToBeNewGoneOrUnknown) {
