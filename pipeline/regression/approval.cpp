@@ -13,6 +13,7 @@
 #include "pipeline/production/film/film_tables.h"
 #include "pipeline/production/run/study_inputs.h"
 #include "pipeline/regression/approved_frames.h"
+#include "pipeline/regression/overlay_comparison.h"
 #include "pipeline/regression/rendition.h"
 #include "pipeline/tasks/store.h"
 #include "render/image/image_io.h"
@@ -150,6 +151,30 @@ bool is_wanted(const std::string& id, const Approval& approval) {
   return approval.only.empty() || std::ranges::find(approval.only, id) != approval.only.end();
 }
 
+/// Overlays that are approved now, and the others as they were. A baseline that does not know its
+/// overlays learns of them when all are approved.
+void put_overlays(Baseline& baseline, Rendition& now, const Approval& approval,
+                  const std::map<std::string, std::vector<VideoFacts>>& videos) {
+  if (!baseline.overlays && !approval.only.empty()) return;
+  std::vector<StimulusFacts> before =
+      std::exchange(baseline.overlays, {}).value_or(std::vector<StimulusFacts>());
+  std::vector<StimulusFacts> overlays;
+  for (const Overlay& overlay : now.manifest().overlays) {
+    const auto old = std::ranges::find(before, overlay.film.id, &StimulusFacts::id);
+    if (is_wanted(overlay.film.id, approval)) {
+      overlays.push_back(overlay_facts(overlay, now));
+      const auto made = videos.find(overlay.film.id);
+      if (made != videos.end()) overlays.back().videos = made->second;
+    } else if (old != before.end()) {
+      overlays.push_back(*old);
+    }
+    if (old != before.end()) before.erase(old);
+  }
+  for (StimulusFacts& removed : before)
+    if (!is_wanted(removed.id, approval)) overlays.push_back(std::move(removed));
+  baseline.overlays = std::move(overlays);
+}
+
 /// Hashes of what was approved now, and of the rest those that were known. A baseline of mien 0.2
 /// had none: what it holds is taken as it is.
 void put_sums(Baseline& baseline, const std::vector<StimulusFacts>& approved,
@@ -226,6 +251,7 @@ Baseline approve(Rendition& now, const fs::path& folder, const Approval& approva
     put(baseline, facts);
   }
   put_in_order(baseline, manifest, approval);
+  put_overlays(baseline, now, approval, videos);
   baseline.approvals.push_back(approval);
   put_sums(baseline, approved, edition);
   write_baseline(baseline);

@@ -1,5 +1,6 @@
 #include "pipeline/regression/attribution.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -67,6 +68,18 @@ std::vector<Attribution> origin_causes(const StimulusStates& states, Cause code,
 /// Files and options of the baseline's manifest that are read differently now.
 std::vector<std::string> lost(const StimulusStates& states, Aspect aspect) {
   return changes_of(aspect, states.approved.settings, states.then.settings);
+}
+
+Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now) {
+  const auto ffmpeg = [](const StimulusFacts& facts) {
+    const auto found = facts.origin.libraries.find("FFmpeg");
+    return found == facts.origin.libraries.end() ? std::string() : found->second;
+  };
+  std::string root = joined(changes_of(Aspect::video, before.settings, now.settings));
+  if (root.empty() && ffmpeg(before) != ffmpeg(now))
+    root = "FFmpeg " + ffmpeg(before) + " → " + ffmpeg(now);
+  if (root.empty()) root = "the encoder";
+  return {Cause::encoder, root, "all key frames are identical, but the video's bytes differ", {}};
 }
 
 using Member = bool Exchanged::*;
@@ -155,16 +168,37 @@ std::vector<Attribution> program_causes(const StimulusStates& states) {
                        "rendered again from the approved motion and scene, the image differs");
 }
 
-Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now) {
-  const auto ffmpeg = [](const StimulusFacts& facts) {
-    const auto found = facts.origin.libraries.find("FFmpeg");
-    return found == facts.origin.libraries.end() ? std::string() : found->second;
-  };
-  std::string root = joined(changes_of(Aspect::video, before.settings, now.settings));
-  if (root.empty() && ffmpeg(before) != ffmpeg(now))
-    root = "FFmpeg " + ffmpeg(before) + " → " + ffmpeg(now);
-  if (root.empty()) root = "the encoder";
-  return {Cause::encoder, root, "all key frames are identical, but the video's bytes differ", {}};
+std::vector<Attribution> video_causes(const StimulusFacts& before, const StimulusFacts& now,
+                                      const std::vector<VideoChange>& videos) {
+  const std::string settings = joined(changes_of(Aspect::video, before.settings, now.settings));
+  if (!std::ranges::all_of(videos, &VideoChange::is_made)) {
+    constexpr char evidence[] = "a video that was approved is no longer made";
+    if (settings.empty()) return {{Cause::unknown, "no option has changed", evidence, {}}};
+    return {{Cause::presentation, settings, evidence, {}}};
+  }
+  const std::vector<Attribution> presentation = presentation_causes(before, now, videos);
+  if (!presentation.empty()) return presentation;
+  const bool shows_others = std::ranges::any_of(
+      videos, [](const VideoChange& video) { return !video.same_pictures.value_or(true); });
+  if (!shows_others) return {encoder_cause(before, now)};
+  constexpr char evidence[] = "all key frames are identical, but a video shows other frames";
+  if (!settings.empty()) return {{Cause::presentation, settings, evidence, {}}};
+  return origin_causes({before, before, now}, Cause::renderer, before.origin.film_code,
+                       now.origin.film_code, evidence);
+}
+
+std::vector<Attribution> presentation_causes(const StimulusFacts& before, const StimulusFacts& now,
+                                             const std::vector<VideoChange>& videos) {
+  const bool may_show_others = std::ranges::any_of(
+      videos, [](const VideoChange& video) { return !video.same_pictures.value_or(false); });
+  std::vector<std::string> changes;
+  for (const SettingChange& change : changes_between(before.settings, now.settings))
+    if (is_of_presentation(change.path)) changes.push_back(change_text(change));
+  if (!may_show_others || changes.empty()) return {};
+  return {{Cause::presentation,
+           joined(changes),
+           "a video shows something else around the film, or the film with other fades",
+           {}}};
 }
 
 CauseShares cause_shares(const Exchanged& can, double program_error,

@@ -37,8 +37,15 @@ std::vector<Attribution> motion_causes(const StimulusStates& states);
 /// same settings: the program, a library, the processor, or a file of the scene.
 std::vector<Attribution> program_causes(const StimulusStates& states);
 
-/// Returns the cause of a different video file with the same frames.
-Attribution encoder_cause(const StimulusFacts& before, const StimulusFacts& now);
+/// Returns the causes of changed videos, of which there is at least one, if motion and key frames
+/// are the same.
+std::vector<Attribution> video_causes(const StimulusFacts& before, const StimulusFacts& now,
+                                      const std::vector<VideoChange>& videos);
+
+/// Returns the changed presentation as a cause of changed videos, whatever else has changed; empty
+/// if it has not changed, or if the videos are known to show the same frames.
+std::vector<Attribution> presentation_causes(const StimulusFacts& before, const StimulusFacts& now,
+                                             const std::vector<VideoChange>& videos);
 
 /// The aspects taken from the current study; the others are as approved.
 struct Exchanged {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,9 +83,9 @@ struct Approval {
 /// The approved state of a study: a folder that can be kept in git or on a shared disk. An edition
 /// is the manifest with its files at one approval, named by their hash.
 ///
-///     baseline.json                  the study, all approvals, hashes of the files below (except
-///                                    those that a stimulus.json lists), and a checksum of the
-///                                    preceding text
+///     baseline.json                  the study, all approvals, facts about overlays, hashes of the
+///                                    files below (except those that a stimulus.json lists), and a
+///                                    checksum of the preceding text
 ///     editions/<hash>/inputs/        manifests and the files that they name, like a study's inputs
 ///     stimuli/<id>/stimulus.json     StimulusFacts
 ///     stimuli/<id>/motion.bvh        the clip shown
@@ -99,6 +100,8 @@ struct Baseline {
   /// Hashes of every stimulus.json and of all files of the editions, by path relative to the
   /// folder. Empty in baselines written before these hashes existed.
   std::map<std::string, Hash> sums = {};
+  /// Facts about the overlays (overlay_facts). Unset in baselines of versions up to 0.3.
+  std::optional<std::vector<StimulusFacts>> overlays = {};
 
   const StimulusFacts* find(const std::string& id) const;
   std::filesystem::path edition_manifest(const std::string& edition) const;

@@ -29,21 +29,24 @@ class StimulusComparer {
     result_.id = now.id;
   }
 
-  StimulusComparison compare(bool always_draw) {
+  StimulusComparison compare(const ComparisonOptions& options) {
     result_.settings = changes_between(before_.settings, now_.settings);
     result_.weights = value_changes(before_.weights, now_.weights);
     result_.parameters = value_changes(before_.reached, now_.reached);
-    result_.videos = video_changes(before_.videos, now_.videos);
+    if (options.with_videos) result_.videos = video_changes(before_.videos, now_.videos);
     const bool is_moved = before_.motion != now_.motion;
     if (is_moved) compare_motions();
-    if (always_draw || !renders_identically(before_, now_)) {
+    if (options.always_draw || !renders_identically(before_, now_)) {
       compare_frames();
     } else {
       result_.frames_reused = static_cast<int>(before_.key_frames.size());
     }
-    if (is_moved || has_changed_pictures()) find_causes();
-    if (!has_changed_pictures() && !is_moved && !result_.videos.empty())
-      result_.causes.push_back(encoder_cause(before_, now_));
+    if (is_moved || has_changed_pictures()) {
+      find_causes();
+      add_causes(presentation_causes(before_, now_, result_.videos), {});
+    } else if (!result_.videos.empty()) {
+      add_causes(video_causes(before_, now_, result_.videos), {});
+    }
     return std::move(result_);
   }
 
@@ -283,8 +286,9 @@ bool ComparedStudy::compares(const std::string& id) const {
   return only.empty() || std::ranges::find(only, id) != only.end();
 }
 
-StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw) {
-  return StimulusComparer(now, study).compare(always_draw);
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study,
+                           const ComparisonOptions& options) {
+  return StimulusComparer(now, study).compare(options);
 }
 
 }  // namespace mien::pipeline

@@ -27,12 +27,17 @@ struct ComparedStudy {
   bool compares(const std::string& id) const;
 };
 
-/// Compares a stimulus that exists in both states, and determines why it differs. `now` are its
-/// current facts, including its videos, if any. `always_draw`: renders its key frames even if none
-/// of their inputs has changed. Throws Error and Interrupted.
-StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study, bool always_draw);
+struct ComparisonOptions {
+  bool always_draw = false;  ///< render key frames even if none of their inputs has changed
+  bool with_videos = false;  ///< the videos were made, so those that are missing are reported
+};
 
-/// Returns the changed videos by format; empty if no videos were approved or none were made now.
+/// Compares a stimulus that exists in both states, and determines why it differs. `now` are its
+/// current facts, including its videos, if they were made. Throws Error and Interrupted.
+StimulusComparison compare(const StimulusFacts& now, const ComparedStudy& study,
+                           const ComparisonOptions& options);
+
+/// Returns the changed videos by format; empty if no videos were approved.
 std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
                                        const std::vector<VideoFacts>& now);
 

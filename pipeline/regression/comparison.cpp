@@ -124,7 +124,8 @@ void judge_motion(StimulusComparison& comparison, const RegressionLimits& limits
 bool is_accepted_motion(const StimulusComparison& comparison) {
   return comparison.motion && comparison.reasons.empty() && !comparison.causes.empty() &&
          std::ranges::all_of(comparison.causes, [](const Attribution& one) {
-           return one.cause == Cause::motion || one.cause == Cause::synthesis;
+           return one.cause == Cause::motion || one.cause == Cause::synthesis ||
+                  one.cause == Cause::presentation;  // key frames do not show it
          });
 }
 
@@ -174,11 +175,23 @@ bool is_rendered_differently(const StimulusComparison& comparison) {
   });
 }
 
+/// Whether a video shows other pictures for another reason than noise, or a motion within its
+/// limits, which the key frames show too.
+bool shows_otherwise(const VideoChange& video, const StimulusComparison& comparison) {
+  const bool is_presented_otherwise =
+      std::ranges::any_of(comparison.settings, is_of_presentation, &SettingChange::path);
+  if (!video.same_pictures) return is_presented_otherwise;
+  const bool is_film_the_same =
+      !comparison.motion && std::ranges::all_of(comparison.frames, &FrameComparison::same);
+  return !*video.same_pictures && (is_presented_otherwise || is_film_the_same);
+}
+
 void judge_videos(StimulusComparison& comparison, const RegressionLimits& limits) {
   if (!comparison.reasons.empty()) return;
   const bool loses = !is_rendered_differently(comparison);
   const bool differ = std::ranges::any_of(comparison.videos, [&](const VideoChange& video) {
-    return !video.same_frames || (loses && video.psnr_lost_db > limits.psnr_db);
+    return !video.same_frames || shows_otherwise(video, comparison) ||
+           (loses && video.psnr_lost_db > limits.psnr_db);
   });
   for (const VideoChange& video : comparison.videos)
     if (differ) comparison.reasons.push_back(video.format + ": " + video.what.front());

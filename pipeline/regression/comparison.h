@@ -14,21 +14,23 @@ namespace mien::pipeline {
 
 /// The cause of a difference.
 enum class Cause {
-  motion,       ///< settings of the motion, or a file that it is made from
-  scene,        ///< figure, set, camera or picture size, or a file that they are made from
-  drawing,      ///< samples, shutter or seed of the noise
-  renderer,     ///< another version of the program renders the same scene differently
-  synthesis,    ///< another version of the program synthesizes the motion differently
-  encoder,      ///< the same frames, encoded differently
-  environment,  ///< a different library, instruction set or processor
-  unknown,      ///< no known input has changed: nondeterminism or a damaged baseline
+  motion,        ///< settings of the motion, or a file that it is made from
+  scene,         ///< figure, set, camera or picture size, or a file that they are made from
+  drawing,       ///< samples, shutter or seed of the noise
+  renderer,      ///< another version of the program renders the same scene differently
+  synthesis,     ///< another version of the program synthesizes the motion differently
+  presentation,  ///< what a video shows around the film, and which videos are made
+  encoder,       ///< the same frames, encoded differently
+  environment,   ///< a different library, instruction set or processor
+  unknown,       ///< no known input has changed: nondeterminism or a damaged baseline
 };
 
 inline constexpr Words<Cause> cause_words = {
-    {"motion", Cause::motion},           {"scene", Cause::scene},
-    {"drawing", Cause::drawing},         {"renderer", Cause::renderer},
-    {"synthesis", Cause::synthesis},     {"encoder", Cause::encoder},
-    {"environment", Cause::environment}, {"unknown", Cause::unknown}};
+    {"motion", Cause::motion},       {"scene", Cause::scene},
+    {"drawing", Cause::drawing},     {"renderer", Cause::renderer},
+    {"synthesis", Cause::synthesis}, {"presentation", Cause::presentation},
+    {"encoder", Cause::encoder},     {"environment", Cause::environment},
+    {"unknown", Cause::unknown}};
 
 inline std::string_view name_of(Cause cause) { return word_of(cause_words, cause); }
 
@@ -83,6 +85,10 @@ struct VideoChange {
   /// Decrease of the lowest PSNR between the video and its frames, dB; 0 if the current video shows
   /// its frames exactly. A former video that did counts as 100 dB.
   double psnr_lost_db = 0.0;
+  /// Whether the frames that were encoded are the same, with those around the film. Unset if it is
+  /// not known: a baseline of a version up to 0.3 has no hash of them.
+  std::optional<bool> same_pictures = {};
+  bool is_made = true;  ///< false for a video that is no longer made
 };
 
 /// All differences between a stimulus and its approved state.
@@ -109,9 +115,11 @@ struct StimulusComparison {
 /// Sets the verdict and the reasons: a sentence for each exceeded limit and for a changed picture
 /// size. Of several frames or body parts that exceed a limit, only the worst is named. Changed
 /// videos are reasons only if there are no other reasons; a lower PSNR is not a reason if the
-/// frames themselves differ and no video setting has changed. Picture changes caused only by a
-/// motion within its limits are not a reason. Neither is noise, unless the scene's settings have
-/// changed: the approved noise statistics then belong to another scene.
+/// frames themselves differ and no video setting has changed. Other frames in a video are a reason
+/// if the motion and the key frames are the same, or the presentation has changed; if it is not
+/// known whether they are others, a changed presentation is a reason. Picture changes caused only
+/// by a motion within its limits are not a reason. Neither is noise, unless the scene's settings
+/// have changed: the approved noise statistics then belong to another scene.
 void judge(StimulusComparison& comparison, const RegressionLimits& limits);
 
 }  // namespace mien::pipeline

@@ -158,6 +158,10 @@ Baseline read_baseline(const fs::path& folder) {
     ids = json.at("stimuli");
     for (const Json& approval : json.at("approvals"))
       baseline.approvals.push_back(approval_of(approval));
+    if (!json.contains("overlays")) return 0;
+    baseline.overlays.emplace();
+    for (const Json& overlay : json.at("overlays"))
+      baseline.overlays->push_back(stimulus_facts_of(overlay));
     return 0;
   });
   for (const std::string& id : ids) {

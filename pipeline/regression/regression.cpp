@@ -14,6 +14,7 @@
 #include "pipeline/production/synthesis/motion_record.h"
 #include "pipeline/regression/approved_frames.h"
 #include "pipeline/regression/comparison.h"
+#include "pipeline/regression/overlay_comparison.h"
 #include "pipeline/regression/rendition.h"
 
 namespace mien::pipeline {
@@ -228,13 +229,15 @@ Regression regress(const ComparedStudy& study,
       result.stimuli.push_back(appeared(stimulus.id, study));
     } else {
       StimulusFacts facts = facts_of(stimulus.id, study.now);
-      if (const auto made = videos.find(stimulus.id); made != videos.end())
-        facts.videos = made->second;
+      // The videos of a film of several people are those of the first.
+      const auto made = videos.find(stimulus.id);
+      if (made != videos.end()) facts.videos = made->second;
       const StimulusFacts& approved = *study.baseline.find(stimulus.id);
       if (!facts.videos.empty() && approved.videos.empty())
         result.without_videos.push_back(stimulus.id);
       const bool audit = is_audited(study.baseline, stimulus.id, options.audit_share);
-      result.stimuli.push_back(compare(facts, study, audit));
+      result.stimuli.push_back(
+          compare(facts, study, {.always_draw = audit, .with_videos = made != videos.end()}));
       judge(result.stimuli.back(), stimulus.regression);
       for (const std::string& wider : wider_limits(approved.limits, stimulus.regression))
         result.wider[wider].push_back(stimulus.id);
@@ -252,6 +255,7 @@ Regression regress(const ComparedStudy& study,
       result.not_compared.push_back(facts.id);
     }
   }
+  compare_overlays(study, videos, result);
   result.groups = groups_of(result.stimuli);
   result.gate = plant_defects(study);
   return result;

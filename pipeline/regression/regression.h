@@ -58,16 +58,19 @@ std::vector<CauseGroup> groups_of(const std::vector<StimulusComparison>& stimuli
 /// A study compared with its baseline.
 struct Regression {
   std::string study;
-  std::vector<StimulusComparison> stimuli;  ///< in the manifest's order; removed stimuli last
-  std::vector<CauseGroup> groups;           ///< in the order of groups_of
+  /// In the manifest's order, then removed stimuli, then overlays, of which only videos and
+  /// settings are compared.
+  std::vector<StimulusComparison> stimuli;
+  std::vector<CauseGroup> groups;  ///< in the order of groups_of
   Gate gate;
   Repetitions repetitions;
   /// Tolerances that were widened since the approval ("position_mm 1 → 50"), with the ids of the
   /// stimuli concerned.
   std::map<std::string, std::vector<std::string>> wider;
-  /// Ids of stimuli, present or removed, that were not selected; their state is unknown.
+  /// Ids of stimuli and overlays, present or removed, that were not selected; their state is
+  /// unknown.
   std::vector<std::string> not_compared;
-  /// Ids of stimuli whose videos are not compared, because no video of the stimulus was approved.
+  /// Ids of stimuli and overlays whose videos are not compared, because none of them was approved.
   std::vector<std::string> without_videos;
   int audited = 0;  ///< number of stimuli selected by `audit_share`
 
@@ -85,7 +88,8 @@ struct RegressionOptions {
 /// Called after each compared stimulus of the manifest with the completed share, 0 … 1.
 using StimulusDone = std::function<void(double share, const StimulusComparison&)>;
 
-/// Compares all stimuli, or those in `study.only`. `videos` are the current videos by stimulus id.
+/// Compares all stimuli and overlays, or those in `study.only`. `videos` are the current videos by
+/// id; the videos of stimuli and overlays without an entry were not made and are not compared.
 /// Leaves `repetitions` unset (see repeated). Throws Error and Interrupted.
 Regression regress(const ComparedStudy& study,
                    const std::map<std::string, std::vector<VideoFacts>>& videos,

@@ -8,6 +8,7 @@
 #include "pipeline/manifest/example_files.h"
 #include "pipeline/manifest/look/point_form.h"
 #include "pipeline/manifest/look/set_fields.h"
+#include "pipeline/manifest/people.h"
 #include "pipeline/tasks/hash.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/character/character.h"
@@ -91,6 +92,25 @@ void add_character(std::vector<Setting>& settings, const Stimulus& stimulus, Fil
   if (file == nullptr) return;
   const OrderedJson content = {{file->filename().string(), content_id(files.of_character(*file))}};
   settings.push_back({"look.figure content", Aspect::scene, content.dump()});
+}
+
+/// The options of what is filmed, with its set and its character. `film` is the film's stimulus.
+template <class Filmed>
+std::vector<Setting> film_settings(const Filmed& filmed, const Stimulus& film, FileKeys& files) {
+  const WritingOptions how{.for_key = true,
+                           .concerned = concerns::motion | concerns::picture | concerns::stored |
+                                        concerns::shown | concerns::files};
+  std::vector<Setting> settings;
+  const std::vector<FieldEntry> entries = entries_of(filmed, how);
+  add_entries(settings, entries, files);
+  add_look(settings, film.look.camera, entries);
+  std::erase_if(settings, [](const Setting& setting) {
+    return setting.path == "look.scene_file content" ||  // as its options
+           setting.path == "look.figure content";        // with what belongs to it
+  });
+  add_character(settings, film, files);
+  add_set(settings, film.look.set);
+  return settings;
 }
 
 /// The sound that another stimulus states, which is not among the stimulus's own options.
@@ -188,22 +208,21 @@ std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manif
                                  FileKeys& files) {
   Stimulus itself = stimulus;
   itself.foil.reset();
-  const WritingOptions how{.for_key = true,
-                           .concerned = concerns::motion | concerns::picture | concerns::stored |
-                                        concerns::shown | concerns::files};
-  std::vector<Setting> settings;
-  const std::vector<FieldEntry> entries = entries_of(itself, how);
-  add_entries(settings, entries, files);
-  add_look(settings, stimulus.look.camera, entries);
-  std::erase_if(settings, [](const Setting& setting) {
-    return setting.path == "look.scene_file content" ||  // as its options
-           setting.path == "look.figure content";        // with what belongs to it
-  });
-  add_character(settings, stimulus, files);
-  add_set(settings, stimulus.look.set);
+  std::vector<Setting> settings = film_settings(itself, stimulus, files);
   add_foreign_sound(settings, stimulus, files);
   add_entries(settings, study_entries(manifest), files);
   add_examples(settings, manifest, files);
+  settings.push_back({"seed", Aspect::drawing, std::to_string(manifest.seed)});
+  return settings;
+}
+
+std::vector<Setting> settings_of(const Overlay& overlay, const Manifest& manifest,
+                                 FileKeys& files) {
+  std::vector<Setting> settings = film_settings(overlay, overlay.film, files);
+  const auto motions = motions_on(overlay);
+  const bool shows_example = std::ranges::any_of(
+      motions, [&](const auto& one) { return film_showing(manifest, one.second) == nullptr; });
+  if (shows_example) add_examples(settings, manifest, files);
   settings.push_back({"seed", Aspect::drawing, std::to_string(manifest.seed)});
   return settings;
 }

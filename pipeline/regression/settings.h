@@ -37,12 +37,22 @@ struct Setting {
 /// The suffix of the path of a setting that contains the hashes of named files: "clip content".
 inline constexpr char content_words[] = " content";
 
+/// Whether an option changes what a video shows around and over the film: card, cross, blanks,
+/// fades and background.
+inline bool is_of_presentation(std::string_view path) {
+  return path.starts_with("output.presentation");
+}
+
 /// Returns all settings of a manifest that affect how one of its stimuli looks, in the manifest's
 /// order, including each option of the stimulus's set and the hashes of named files ("clip
 /// content": {"walk.bvh": "0123456789ab"}). The settings of a foil include those that it inherits
 /// from its original stimulus.
 std::vector<Setting> settings_of(const Stimulus& stimulus, const Manifest& manifest,
                                  FileKeys& files);
+
+/// Returns all options of an overlay that affect its video, in the same form. Those of the motions
+/// that it shows are options of its stimuli.
+std::vector<Setting> settings_of(const Overlay& overlay, const Manifest& manifest, FileKeys& files);
 
 /// A changed option; `before` or `now` is empty if it is neither stated there nor has a default
 /// (changes_between).

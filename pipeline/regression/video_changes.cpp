@@ -41,6 +41,10 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
     const auto [was, is] = distinct_numbers(before.fps, now.fps);
     change.what.push_back(fmt::format("{} frames/s → {}", was, is));
   }
+  if (!before.frames_hash.empty() && !now.frames_hash.empty())
+    change.same_pictures = before.frames_hash == now.frames_hash;
+  if (change.same_frames && !change.same_pictures.value_or(true))
+    change.what.emplace_back("shows other frames");
   add_sound_change(before.sound, now.sound, change);
   if (before.identical != now.identical)
     change.what.emplace_back(now.identical ? "now shows its frames exactly"
@@ -63,12 +67,11 @@ VideoChange video_change(const VideoRecord& before, const VideoRecord& now) {
 std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
                                        const std::vector<VideoFacts>& now) {
   std::vector<VideoChange> changes;
-  if (now.empty()) return changes;  // none were made
   for (const VideoFacts& old : before) {
     const auto same = std::ranges::find_if(
         now, [&](const VideoFacts& video) { return video.record.format == old.record.format; });
     if (same == now.end()) {
-      changes.push_back({old.record.format, {"is no longer made"}, false, 0.0});
+      changes.push_back({old.record.format, {"is no longer made"}, false, 0.0, {}, false});
     } else if (same->hash != old.hash) {
       changes.push_back(video_change(old.record, same->record));
     }
@@ -76,7 +79,8 @@ std::vector<VideoChange> video_changes(const std::vector<VideoFacts>& before,
   for (const VideoFacts& video : now) {
     const bool is_new = std::ranges::none_of(
         before, [&](const VideoFacts& old) { return old.record.format == video.record.format; });
-    if (is_new && !before.empty()) changes.push_back({video.record.format, {"is new"}, true, 0.0});
+    if (is_new && !before.empty())
+      changes.push_back({video.record.format, {"is new"}, true, 0.0, true});
   }
   return changes;
 }

@@ -37,11 +37,17 @@ void write_baseline(const Baseline& baseline) {
   for (const StimulusFacts& facts : baseline.stimuli) ids.push_back(facts.id);
   Json approvals = Json::array();
   for (const Approval& approval : baseline.approvals) approvals.push_back(json_of(approval));
-  write_text(baseline.folder / "baseline.json", with_checksum({{"baseline", baseline_version},
-                                                               {"study", baseline.study},
-                                                               {"approvals", approvals},
-                                                               {"stimuli", ids},
-                                                               {"sums", baseline.sums}}));
+  Json json = {{"baseline", baseline_version},
+               {"study", baseline.study},
+               {"approvals", approvals},
+               {"stimuli", ids}};
+  if (baseline.overlays) {
+    json["overlays"] = Json::array();
+    for (const StimulusFacts& facts : *baseline.overlays)
+      json["overlays"].push_back(json_of(facts));
+  }
+  json["sums"] = baseline.sums;
+  write_text(baseline.folder / "baseline.json", with_checksum(json));
 }
 
 }  // namespace mien::pipeline

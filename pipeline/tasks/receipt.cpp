@@ -1,7 +1,6 @@
 #include "pipeline/tasks/receipt.h"
 
 #include <algorithm>
-#include <iterator>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
@@ -41,14 +40,19 @@ bool has_size(const fs::path& file, std::uint64_t size) {
   return is_file(file) && fs::file_size(file, error) == size && !error;
 }
 
+/// Hidden files do not count: file browsers (.DS_Store) and network file systems (.nfs…) leave
+/// them.
 std::ptrdiff_t count_in(const fs::path& folder) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
-  return error ? -1 : std::distance(entries, fs::directory_iterator());
+  if (error) return -1;
+  return std::count_if(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return !entry.path().filename().string().starts_with('.');
+  });
 }
 
 /// Whether a test holds for an artifact's file, or for each of its frames and nothing is beside
-/// them.
+/// them but hidden files.
 template <class Test>
 bool holds_for_files(const fs::path& folder, const Receipt& receipt, const Test& test) {
   const fs::path target = folder / receipt.path;

@@ -56,6 +56,22 @@ std::optional<std::uint64_t> disk_of(const fs::path& folder) {
   return status.st_dev;
 }
 
+/// What lies in the place of a folder that is to be published, without the files of the folder that
+/// was published there before and of the next one.
+std::vector<fs::path> foreign_entries(const fs::path& folder, const Receipt& next) {
+  std::set<std::string> own;
+  for (const FrameReceipt& frame : next.frames) own.insert(frame.name);
+  if (const std::optional<Receipt> before = read_receipt(folder, next.path))
+    for (const FrameReceipt& frame : before->frames) own.insert(frame.name);
+  std::vector<fs::path> foreign;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / next.path, none)) {
+    const bool is_own = own.contains(entry.path().filename().string());
+    if (!is_own || entry.is_directory(none)) foreign.push_back(entry.path());
+  }
+  return foreign;
+}
+
 }  // namespace
 
 Store::State::State(fs::path at, Sharing sharing)
@@ -130,6 +146,7 @@ void Store::State::move_into_place(const fs::path& attempt, const Receipt& recei
   const bool is_folder = !receipt.frames.empty();
   for (int tries = 1;; ++tries) {
     clear_path_for(receipt.path, is_folder);
+    if (is_folder) set_aside_foreign(receipt);
     if (is_folder && exchange(attempt, target)) break;
     if (is_folder && fs::exists(target)) {  // no folder takes the place of one that is not empty
       const Attempt away(new_attempt());
@@ -176,9 +193,15 @@ void Store::State::clear_path_for(const std::string& path, bool for_folder) {
   set_aside(target);
 }
 
-void Store::State::set_aside(const fs::path& obstacle) {
-  const fs::path aside = internal() / "set-aside" / (worker() + "-" + std::to_string(++attempts));
+/// A new folder for what is not mien's.
+fs::path Store::State::new_aside() {
+  fs::path aside = internal() / "set-aside" / (worker() + "-" + std::to_string(++attempts));
   fs::create_directories(aside);
+  return aside;
+}
+
+void Store::State::set_aside(const fs::path& obstacle) {
+  const fs::path aside = new_aside();
   std::error_code error;  // another process may have been faster
   fs::rename(obstacle, aside / obstacle.filename(), error);
   if (error && fs::exists(fs::symlink_status(obstacle)))
@@ -186,6 +209,27 @@ void Store::State::set_aside(const fs::path& obstacle) {
   note_repair(obstacle.lexically_relative(folder).generic_string() +
               ": another file was in its place, and has been moved to " +
               aside.lexically_relative(folder).generic_string());
+}
+
+/// Empties the folder that is about to be replaced of what is neither of the artifact that it holds
+/// nor of the next one: it is the user's own.
+void Store::State::set_aside_foreign(const Receipt& next) {
+  const std::vector<fs::path> foreign = foreign_entries(folder, next);
+  if (foreign.empty()) return;
+  const fs::path aside = new_aside();
+  std::string moved;
+  for (const fs::path& entry : foreign) {
+    const std::string name = entry.filename().string();
+    std::error_code error;  // another process may have been faster
+    fs::rename(entry, aside / name, error);
+    if (!error) moved += (moved.empty() ? "" : ", ") + name;
+    const bool is_hidden = name.starts_with('.');  // a network file system may hold on to it
+    if (error && !is_hidden && fs::exists(fs::symlink_status(entry)))
+      throw fs::filesystem_error("was not made by mien and cannot be moved", entry, error);
+  }
+  if (!moved.empty())
+    note_repair(next.path + ": files that mien did not make were in this folder, and have been " +
+                "moved to " + aside.lexically_relative(folder).generic_string() + ": " + moved);
 }
 
 void Store::State::compare(const std::string& path, const Hash& before, const Maker& before_by,

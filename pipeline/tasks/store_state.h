@@ -61,7 +61,9 @@ struct Store::State {
   std::filesystem::path new_attempt();
   void move_into_place(const std::filesystem::path& attempt, const Receipt& receipt);
   void write_receipt(const Receipt& receipt);
+  std::filesystem::path new_aside();
   void set_aside(const std::filesystem::path& obstacle);
+  void set_aside_foreign(const Receipt& next);
 };
 
 }  // namespace mien::pipeline

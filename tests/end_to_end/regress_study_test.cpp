@@ -171,6 +171,47 @@ TEST_F(RegressStudy, HoldsHoweverTheStudyIsMadeAgain) {
   }
 }
 
+// Key frames show neither what is around a film nor what is on overlays.
+TEST_F(RegressStudy, SeesWhatVideosShowAroundFilmsAndOnOverlays) {
+  const auto write = [&](const std::string& background, const std::string& opacity,
+                         const std::string& video) {
+    scratch_.write("repository/studies/small.yaml",
+                   "mien: 1\nstudy: small\nexamples: {set: builtin:walks-10}\n"
+                   "output: {size: [96, 54], fps: 10, cycles: 1, quality: draft, frames: none,"
+                   " video: " +
+                       video + ", presentation: {blank_after: 0.3, background: " + background +
+                       "}}\nstimuli:\n  - {id: blend, weights: {normal: 1, proud: 0.4}}\n"
+                       "  - {id: file, clip: ../walk.bvh}\n"
+                       "overlays:\n  - {id: both, target: blend, created: file, opacity: " +
+                       opacity + "}\n");
+  };
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "regress");
+    arguments.insert(arguments.end(), {manifest().string(), "--out", out()});
+    return run_mien(arguments);
+  };
+  write("0.4", "0.6", "[gif]");
+  ASSERT_EQ(run({"approve", "--reason", "it is right"}).code, 0);
+  EXPECT_EQ(run({}).code, 0);
+  write("0.25", "0.6", "[gif]");
+  const Ended presented = run({});
+  EXPECT_EQ(presented.code, 1) << presented.errors;
+  EXPECT_NE(presented.output.find("output.presentation.background 0.4 → 0.25 (presentation): 3 "),
+            std::string::npos)
+      << presented.output;
+  write("0.4", "0.5", "[gif]");
+  const Ended overlaid = run({});
+  EXPECT_EQ(overlaid.code, 1) << overlaid.errors;
+  EXPECT_NE(overlaid.output.find("opacity 0.6 → 0.5 (scene): 1 stimulus: both"), std::string::npos)
+      << overlaid.output;
+  EXPECT_EQ(run({"--only", "blend,file"}).code, 0);
+  EXPECT_EQ(run({"--only", "both"}).code, 1);
+  write("0.4", "0.6", "[]");
+  const Ended none = run({});
+  EXPECT_EQ(none.code, 1) << none.errors;
+  EXPECT_NE(none.output.find("gif: is no longer made"), std::string::npos) << none.output;
+}
+
 // A report that is put into a study's folder by mistake would replace its frames, videos and
 // report.
 TEST_F(RegressStudy, WritesOverNothingThatIsNotItsOwn) {

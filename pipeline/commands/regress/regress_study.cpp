@@ -51,16 +51,25 @@ void make(ProducedStudy& study, const StudyArguments& arguments, const Console& 
   for (const Stimulus& stimulus : production.manifest().stimuli)
     if (is_selected(arguments.production.only, stimulus.id))
       study.videos[motions_in(stimulus).front()->id] = videos_of(stimulus.id, study.folder);
+  for (const Overlay& overlay : production.manifest().overlays)
+    if (is_selected(arguments.production.only, overlay.film.id))
+      study.videos[overlay.film.id] = videos_of(overlay.film.id, study.folder);
 }
 
-/// Reads and plans the study without running it; selected stimuli that are not in the manifest are
-/// ignored.
+/// Whether the manifest has a stimulus or an overlay with this id.
+bool has_film(const Manifest& manifest, const std::string& id) {
+  const auto is_overlay = [&](const Overlay& overlay) { return overlay.film.id == id; };
+  return find_stimulus(manifest, id) != nullptr ||
+         std::ranges::any_of(manifest.overlays, is_overlay);
+}
+
+/// Reads and plans the study without running it; selected stimuli and overlays that are not in the
+/// manifest are ignored.
 ProducedStudy planned(const StudyArguments& arguments, const Console& console) {
   const fs::path file = resolve_manifest(arguments.production.manifest, console);
   const Manifest manifest = load_with_warnings(file, arguments.production.out, console);
   ProductionOptions options = options_of(arguments.production);
-  std::erase_if(options.only,
-                [&](const std::string& id) { return find_stimulus(manifest, id) == nullptr; });
+  std::erase_if(options.only, [&](const std::string& id) { return !has_film(manifest, id); });
   ProducedStudy study;
   study.production = std::make_unique<Production>(manifest, options);
   study.folder = folder_of(arguments.production, study.production->manifest());
@@ -189,13 +198,19 @@ std::vector<std::string> with_people(const std::vector<std::string>& only,
   return ids;
 }
 
-/// Refuses unknown stimuli. Those only in the baseline can be approved too, which removes them.
+/// Refuses unknown stimuli and overlays. Those only in the baseline can be approved too, which
+/// removes them.
 void refuse_unknown(const std::vector<std::string>& ids, const Manifest& manifest,
                     const Baseline& baseline) {
   std::vector<std::string> known;
   for (const Stimulus& stimulus : manifest.stimuli) known.push_back(stimulus.id);
-  for (const StimulusFacts& facts : baseline.stimuli)
-    if (find_stimulus(manifest, facts.id) == nullptr) known.push_back(facts.id);
+  for (const Overlay& overlay : manifest.overlays) known.push_back(overlay.film.id);
+  const auto add_removed = [&](const std::vector<StimulusFacts>& approved) {
+    for (const StimulusFacts& facts : approved)
+      if (!has_film(manifest, facts.id)) known.push_back(facts.id);
+  };
+  add_removed(baseline.stimuli);
+  if (baseline.overlays) add_removed(*baseline.overlays);
   for (const std::string& id : ids)
     if (std::ranges::find(known, id) == known.end())
       throw Error({"--only"}, "the study has no stimulus " + motion::in_quotes(id),
@@ -221,10 +236,10 @@ int regress_study(const StudyArguments& arguments, const Console& console) {
         << ": this baseline has no checksums, so damage to it may go unnoticed; approve again\n";
   refuse_unknown(arguments.production.only, manifest, baseline);
   const std::vector<std::string> only = with_people(arguments.production.only, manifest);
-  const bool has_selected_stimulus = std::ranges::any_of(
-      manifest.stimuli,
-      [&](const Stimulus& one) { return is_selected(arguments.production.only, one.id); });
-  if (!arguments.without_videos && has_selected_stimulus) make(produced_study, arguments, console);
+  const bool has_selected_film = std::ranges::any_of(films_of(manifest), [&](const Stimulus* film) {
+    return is_selected(arguments.production.only, film->id);
+  });
+  if (!arguments.without_videos && has_selected_film) make(produced_study, arguments, console);
   const int threads = jobs_of(arguments.production);
   const ScratchFolder scratch;
   Rendition now(manifest, scratch.path(), threads, console.stop);

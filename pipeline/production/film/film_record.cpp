@@ -69,6 +69,7 @@ ordered_json video_json(const VideoRecord& video) {
   ordered_json json = {
       {"file", video.file}, {"format", video.format},         {"frames", video.frames},
       {"fps", video.fps},   {"duration_s", video.duration_s}, {"identical", video.identical}};
+  if (!video.frames_hash.empty()) json["frames_hash"] = video.frames_hash;
   if (video.sound) json["sound"] = video_sound_json(*video.sound);
   if (video.identical) return json;
   json["worst_psnr_db"] = video.worst_psnr_db;
@@ -85,6 +86,7 @@ VideoRecord video_record_of(const nlohmann::json& json) {
                     .fps = json.at("fps"),
                     .duration_s = json.at("duration_s"),
                     .identical = json.at("identical")};
+  video.frames_hash = json.value("frames_hash", std::string());
   if (json.contains("sound")) video.sound = video_sound_of(json.at("sound"));
   if (video.identical) return video;
   video.worst_psnr_db = json.at("worst_psnr_db");

@@ -59,6 +59,9 @@ struct VideoRecord {
   double worst_ssim = 0.0;
   int worst_ssim_frame = 0;
   std::optional<VideoSoundRecord> sound = {};
+  /// Of all frames that were encoded, with those around the film. Empty in records of versions up
+  /// to 0.3, which do not have it.
+  std::string frames_hash = {};
 
   friend bool operator==(const VideoRecord&, const VideoRecord&) = default;
 };

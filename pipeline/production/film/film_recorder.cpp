@@ -1,8 +1,12 @@
 #include "pipeline/production/film/film_recorder.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "render/error.h"
 
@@ -74,6 +78,12 @@ const render::VideoCheck& FilmRecorder::check(const std::filesystem::path& file,
     sound_checks_[kind] = render::check_sound(file, kind, sound_->sound, receipt.sound.value());
   return checks_[kind] =
              render::check_video(file, format_of(kind), sketch_, &receipt, settings_.threads);
+}
+
+Hash FilmRecorder::frames_hash() const {
+  std::string hashes;
+  for (const std::uint64_t hash : sketch_.hashes) hashes += fmt::format("{:016x}", hash);
+  return hash_of(hashes);
 }
 
 std::optional<render::SoundCheck> FilmRecorder::sound_check(render::VideoKind kind) const {

@@ -7,6 +7,7 @@
 #include "pipeline/production/film/film.h"
 #include "pipeline/production/film/film_presentation.h"
 #include "pipeline/production/film/film_sound.h"
+#include "pipeline/tasks/hash.h"
 #include "render/video/video.h"
 #include "render/video/video_check.h"
 
@@ -42,6 +43,9 @@ class FilmRecorder {
 
   /// The result of checking the sound of a file that was checked; nothing without a sound.
   std::optional<render::SoundCheck> sound_check(render::VideoKind kind) const;
+
+  /// Hash of all frames that were written so far, with those around the film.
+  Hash frames_hash() const;
 
   const std::optional<FilmSound>& sound() const { return sound_; }
 

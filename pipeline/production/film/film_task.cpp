@@ -188,6 +188,7 @@ class FilmMaker {
     record_.first_film_frame = recorder_.frames().before();
     for (const auto& [kind, check] : recorder_.checks()) {
       record_.videos.push_back(video_record(video_path(id_, kind), kind, output_.fps, check));
+      record_.videos.back().frames_hash = recorder_.frames_hash();
       if (const auto sound = recorder_.sound_check(kind))
         record_.videos.back().sound = video_sound_record(*sound);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 
@@ -14,6 +15,7 @@ namespace mien::pipeline {
 namespace {
 
 constexpr int least_band = 240;
+constexpr std::size_t most_table_bytes = std::size_t{256} << 20U;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double distance(const Thumbnail& a, const Thumbnail& b) {
@@ -52,6 +54,17 @@ double usual_noise(const std::vector<Thumbnail>& before, const std::vector<Thumb
 
 enum class Step : std::uint8_t { none, pair, missing, added };
 
+/// Half the width of the table's band about the diagonal.
+int band_of(std::size_t before, std::size_t now) {
+  const int difference = std::abs(static_cast<int>(before) - static_cast<int>(now));
+  return std::max(least_band, difference + 16);
+}
+
+/// How many steps the table of two sequences has, of a byte each.
+std::size_t table_bytes(std::size_t before, std::size_t now) {
+  return (before + 1) * (2 * static_cast<std::size_t>(band_of(before, now)) + 1);
+}
+
 /// The table of least costs, in a band about the diagonal.
 class Table {
  public:
@@ -60,9 +73,9 @@ class Table {
         now_(now),
         rows_(static_cast<int>(before.size()) + 1),
         columns_(static_cast<int>(now.size()) + 1),
-        band_(std::max(least_band, std::abs(rows_ - columns_) + 16)),
+        band_(band_of(before.size(), now.size())),
         gap_(0.45 * usual_step(before) + 2.0 * usual_noise(before, now)),
-        steps_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(2 * band_ + 1)) {
+        steps_(table_bytes(before.size(), now.size())) {
     fill();
   }
 
@@ -223,6 +236,20 @@ void tell(FrameAlignment& alignment, const std::vector<Thumbnail>& before,
   note_rows(alignment.remarks, fresh, "new", names.now);
 }
 
+/// Frames of the same number, of sequences that are too long or too different in length.
+FrameAlignment paired_by_number(int before, int now) {
+  FrameAlignment alignment;
+  const int both = std::min(before, now);
+  for (int frame = 0; frame < both; ++frame) alignment.pairs.push_back({frame, frame});
+  for (int frame = both; frame < before; ++frame) alignment.missing.push_back(frame);
+  for (int frame = both; frame < now; ++frame) alignment.added.push_back(frame);
+  if (before != now)
+    alignment.remarks = {fmt::format(
+        "{} frames instead of {}; too many to align, so frames of the same number are compared",
+        now, before)};
+  return alignment;
+}
+
 }  // namespace
 
 Thumbnail thumbnail_of(const render::Image8& picture) {
@@ -233,6 +260,8 @@ Thumbnail thumbnail_of(const render::Image8& picture) {
 
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names) {
+  if (table_bytes(before.size(), now.size()) > most_table_bytes)
+    return paired_by_number(static_cast<int>(before.size()), static_cast<int>(now.size()));
   const Table table(before, now);
   FrameAlignment alignment;
   int row = static_cast<int>(before.size()), column = static_cast<int>(now.size());

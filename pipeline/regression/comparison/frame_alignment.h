@@ -42,7 +42,9 @@ struct FrameNames {
 /// are not paired if their indices differ by more than 240 and by more than 16 plus the difference
 /// of the lengths. If as many frames are missing as added between two successive pairs, they count
 /// as changed in place and are paired too, unless an added frame repeats a neighbouring one or
-/// shows the picture of a missing one.
+/// shows the picture of a missing one. Sequences whose lengths differ by so much that aligning them
+/// would take more than 256 MB (an hour and a minute, for example) are not aligned: frames of the
+/// same number are paired, and a remark gives both lengths.
 FrameAlignment align(const std::vector<Thumbnail>& before, const std::vector<Thumbnail>& now,
                      const FrameNames& names = {});
 

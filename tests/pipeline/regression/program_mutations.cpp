@@ -131,11 +131,11 @@ std::vector<Mutation> program_mutations() {
 }
 
 std::vector<Mutation> video_mutations() {
-  const auto of_video = [](const std::string& name, const std::string& root, Verdict verdict,
-                           const std::function<void(ChangedStudy&)>& change) {
+  const auto of_video = [](const std::string& name, Cause cause, const std::string& root,
+                           Verdict verdict, const std::function<void(ChangedStudy&)>& change) {
     return Mutation{"video: " + name,
                     "wish",
-                    Cause::encoder,
+                    cause,
                     root,
                     [=](ChangedStudy& study) {
                       study.videos.at("wish").front().hash = "another";
@@ -143,21 +143,46 @@ std::vector<Mutation> video_mutations() {
                     },
                     verdict};
   };
+  const auto show_frames = [](ChangedStudy& study, const char* before, const char* now) {
+    study.approved("wish").videos.front().record.frames_hash = before;
+    study.videos.at("wish").front().record.frames_hash = now;
+  };
+  const auto present = [](ChangedStudy& study, const char* option, const nlohmann::json& value) {
+    study.stimulus("wish")["output"]["presentation"][option] = value;
+  };
   return {
       of_video(
-          "another quality of the codec", "the encoder", Verdict::differs,
+          "another quality of the codec", Cause::encoder, "the encoder", Verdict::differs,
           [](ChangedStudy& study) { study.videos.at("wish").front().record.worst_psnr_db = 37.0; }),
-      of_video("other bytes of the same worth", "the encoder", Verdict::alike,
+      of_video("other bytes of the same worth", Cause::encoder, "the encoder", Verdict::alike,
                [](ChangedStudy&) {}),
-      of_video("a dropped frame", "the encoder", Verdict::differs,
+      of_video("other bytes of the same frames", Cause::encoder, "the encoder", Verdict::alike,
+               [=](ChangedStudy& study) { show_frames(study, "1", "1"); }),
+      of_video("a dropped frame", Cause::encoder, "the encoder", Verdict::differs,
                [](ChangedStudy& study) { study.videos.at("wish").front().record.frames = 9; }),
       of_video(
-          "another FFmpeg", "FFmpeg 0.0.1", Verdict::alike,
+          "another FFmpeg", Cause::encoder, "FFmpeg 0.0.1", Verdict::alike,
           [](ChangedStudy& study) { study.approved("wish").origin.libraries["FFmpeg"] = "0.0.1"; }),
-      of_video("a blank before it", "output.presentation", Verdict::differs,
-               [](ChangedStudy& study) {
-                 study.stimulus("wish")["output"]["presentation"]["blank_before"] = 0.5;
+      of_video("a blank before it", Cause::presentation, "output.presentation", Verdict::differs,
+               [=](ChangedStudy& study) {
+                 present(study, "blank_before", 0.5);
                  study.videos.at("wish").front().record.frames = 15;
+               }),
+      of_video("another background", Cause::presentation, "output.presentation.background",
+               Verdict::differs,
+               [=](ChangedStudy& study) {
+                 present(study, "background", 0.25);
+                 show_frames(study, "1", "2");
+               }),
+      of_video("a fade, with frames that are not known", Cause::presentation,
+               "output.presentation.fade_in", Verdict::differs,
+               [=](ChangedStudy& study) { present(study, "fade_in", 0.25); }),
+      of_video("other frames that nothing explains", Cause::unknown, "the same program",
+               Verdict::differs, [=](ChangedStudy& study) { show_frames(study, "1", "2"); }),
+      of_video("none at all", Cause::presentation, "output.video", Verdict::differs,
+               [](ChangedStudy& study) {
+                 study.stimulus("wish")["output"]["video"] = nlohmann::json::array();
+                 study.videos.at("wish").clear();
                }),
   };
 }

@@ -1,6 +1,7 @@
 #include "pipeline/regression/regression.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/regression/approved_study.h"
 
@@ -118,6 +119,100 @@ TEST(Regressions, TellWhereNoVideosWereApproved) {
   EXPECT_TRUE(test::regressed(study).without_videos.empty());
   study.approved("blend").videos.clear();
   EXPECT_EQ(test::regressed(study).without_videos, std::vector<std::string>{"blend"});
+}
+
+TEST(Regressions, TellThatNoVideoIsMadeAnyMoreUnlessNoneWereToBeMade) {
+  const test::TemporaryFolder scratch;
+  test::ChangedStudy study = test::approved_study().copied(scratch.path() / "study");
+  for (auto& [id, videos] : study.videos) videos.clear();
+  const Regression none_made = test::regressed(study);
+  EXPECT_FALSE(none_made.passes());
+  EXPECT_EQ(test::comparison_of(none_made, "blend").verdict, Verdict::differs);
+  EXPECT_EQ(test::comparison_of(none_made, "blend").reasons,
+            std::vector<std::string>{"mp4: is no longer made"});
+  study.videos.clear();  // --without-videos
+  EXPECT_TRUE(test::regressed(study).passes());
+}
+
+/// A study with an overlay of two stimuli, which was approved.
+class RegressedOverlay : public testing::Test {
+ protected:
+  RegressedOverlay() {
+    study_.manifest["overlays"] =
+        nlohmann::json::parse(R"([{"id": "both", "target": "blend", "created": "wish"}])");
+    study_.videos["both"] = study_.videos.at("blend");
+    show("1");
+    const std::filesystem::path folder = study_.folder / "baselines" / "with-overlay";
+    test::approved_study().approved(study_, folder);
+    study_.baseline = read_baseline(folder);
+  }
+
+  /// Makes its video show other frames.
+  void show(const std::string& frames) {
+    study_.videos["both"].front().hash = "file of " + frames;
+    study_.videos["both"].front().record.frames_hash = frames;
+  }
+
+  StimulusComparison compared() const {
+    return test::comparison_of(test::regressed(study_), "both");
+  }
+
+  test::TemporaryFolder scratch_;
+  test::ChangedStudy study_ = test::approved_study().copied(scratch_.path() / "study");
+};
+
+TEST_F(RegressedOverlay, IsComparedByItsVideo) {
+  EXPECT_EQ(compared().verdict, Verdict::same);
+  EXPECT_TRUE(test::regressed(study_).passes());
+  show("2");
+  const StimulusComparison other = compared();
+  EXPECT_EQ(other.verdict, Verdict::differs);
+  EXPECT_EQ(other.reasons, std::vector<std::string>{"mp4: shows other frames"});
+  ASSERT_EQ(other.causes.size(), 1u);
+  EXPECT_EQ(other.causes[0].cause, Cause::unknown);
+  study_.videos["both"].front().record.frames_hash = "1";
+  EXPECT_EQ(compared().verdict, Verdict::alike) << "another encoder";
+  study_.videos["both"].clear();
+  EXPECT_EQ(compared().reasons, std::vector<std::string>{"mp4: is no longer made"});
+}
+
+TEST_F(RegressedOverlay, IsAsDifferentAsItsOptionsAndStimuli) {
+  show("2");
+  study_.manifest["overlays"][0]["opacity"] = 0.5;
+  StimulusComparison other = compared();
+  EXPECT_EQ(other.verdict, Verdict::differs);
+  ASSERT_EQ(other.causes.size(), 1u);
+  EXPECT_EQ(other.causes[0].cause, Cause::scene);
+  EXPECT_NE(other.causes[0].root.find("opacity"), std::string::npos) << other.causes[0].root;
+  study_.manifest["overlays"][0].erase("opacity");
+  study_.stimulus("blend")["weights"]["normal"] = 0.9;
+  other = compared();
+  EXPECT_EQ(other.verdict, Verdict::differs);
+  EXPECT_EQ(other.causes.at(0).cause, Cause::motion);
+  study_.stimulus("blend")["weights"] = {{"normal", 0.6}, {"proud", 0.4001}};
+  EXPECT_EQ(compared().verdict, Verdict::alike) << "the motion is within its limits";
+}
+
+TEST_F(RegressedOverlay, IsAcceptedWithMotionsThatWereApprovedLater) {
+  show("2");
+  study_.baseline.overlays->front().motion = "another";
+  const StimulusComparison later = compared();
+  EXPECT_EQ(later.verdict, Verdict::alike);
+  ASSERT_EQ(later.causes.size(), 1u);
+  EXPECT_EQ(later.causes[0].cause, Cause::motion);
+}
+
+TEST_F(RegressedOverlay, IsToldToBeNewGoneOrUnknown) {
+  study_.manifest["overlays"][0]["id"] = "pair";
+  const Regression renamed = test::regressed(study_);
+  EXPECT_FALSE(renamed.passes());
+  EXPECT_EQ(test::comparison_of(renamed, "pair").verdict, Verdict::appeared);
+  EXPECT_EQ(test::comparison_of(renamed, "both").verdict, Verdict::gone);
+  study_.manifest["overlays"][0]["id"] = "both";
+  study_.baseline.overlays.reset();  // as in baselines of former versions
+  const Regression unknown = test::regressed(study_);
+  EXPECT_TRUE(unknown.passes());
+  EXPECT_EQ(unknown.without_videos, std::vector<std::string>{"both"});
 }
 
 }  // namespace

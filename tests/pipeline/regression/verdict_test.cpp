@@ -95,6 +95,22 @@ TEST(Verdict, OfVideosIsByFramesAndPsnr) {
   EXPECT_EQ(judged(comparison), Verdict::differs);
 }
 
+TEST(Verdict, OfVideosWithOtherFramesIsByWhatKeyFramesCannotShow) {
+  StimulusComparison comparison;
+  comparison.videos = {{"mp4", {"shows other frames"}, true, 0.0, false}};
+  EXPECT_EQ(judged(comparison), Verdict::differs);
+  comparison.frames = {other_frame(false)};  // noise, in the video too
+  EXPECT_EQ(judged(comparison), Verdict::alike);
+  comparison.settings = {{"output.presentation.card", Aspect::video, "\"A\"", "\"B\""}};
+  EXPECT_EQ(judged(comparison), Verdict::differs);
+  comparison.videos[0].same_pictures = true;
+  EXPECT_EQ(judged(comparison), Verdict::alike);
+  comparison.videos[0].same_pictures.reset();
+  EXPECT_EQ(judged(comparison), Verdict::differs);
+  comparison.settings.clear();
+  EXPECT_EQ(judged(comparison), Verdict::alike);
+}
+
 TEST(Verdict, TellsThePartFarthestBeyondItsLimitAndCountsTheOthers) {
   StimulusComparison comparison = with_turned_forearm(0.0175);
   judge(comparison, {.position_mm = 1, .turn_degrees = 2, .parts_mm = {{"left hand", 0.1}}});

@@ -46,6 +46,17 @@ class FrameStoreTest : public testing::Test {
     }
     return texts;
   }
+
+  /// Files that were set aside, by their names.
+  std::map<std::string, std::string> set_aside() const {
+    std::map<std::string, std::string> texts;
+    const fs::path aside = folder / ".mien/set-aside";
+    if (!fs::exists(aside)) return texts;
+    for (const auto& entry : fs::recursive_directory_iterator(aside)) {
+      if (entry.is_regular_file()) texts[entry.path().filename()] = read_file(entry.path());
+    }
+    return texts;
+  }
 };
 
 TEST_F(FrameStoreTest, PublishesAllFramesAtOnce) {
@@ -212,6 +223,38 @@ TEST_F(FrameStoreTest, AFrameTooManyIsNotTheSequence) {
   film(store, "k");
   EXPECT_EQ(drawn, 4);
   EXPECT_EQ(published().size(), 4u);
+  EXPECT_EQ(set_aside(), (std::map<std::string, std::string>{{"9.png", "stray"}}));
+}
+
+TEST_F(FrameStoreTest, SetsAsideWhatAUserPutBesideTheFramesOfAFilm) {
+  Store store(folder);
+  film(store, "k");
+  write_file(folder / "frames/a/notes.txt", "of the user");
+  fs::create_directories(folder / "frames/a/selection");
+  write_file(folder / "frames/a/selection/best.png", "chosen");
+  film(store, "q");
+  EXPECT_EQ(published().size(), names.size());
+  EXPECT_EQ(set_aside(), (std::map<std::string, std::string>{{"best.png", "chosen"},
+                                                             {"notes.txt", "of the user"}}));
+  ASSERT_EQ(store.repairs().size(), 1u);
+  EXPECT_TRUE(store.repairs()[0].starts_with("frames/a: ")) << store.repairs()[0];
+  EXPECT_NE(store.repairs()[0].find("notes.txt"), std::string::npos) << store.repairs()[0];
+  // The frames that a shorter film lacks are not the user's.
+  const auto shorter = store.frames("frames/a", "s");
+  shorter->put(
+      "0.png", [](const fs::path& file) { write_file(file, "s0.png"); }, [](const fs::path&) {});
+  shorter->publish({"0.png"});
+  EXPECT_EQ(published().size(), 1u);
+  EXPECT_EQ(set_aside().size(), 2u);
+}
+
+TEST_F(FrameStoreTest, HiddenFilesDoNotMakeASequenceAnother) {
+  Store store(folder);
+  film(store, "k");
+  write_file(folder / "frames/a/.DS_Store", "of a file browser");
+  EXPECT_TRUE(store.find("frames/a", "k"));
+  film(store, "k");
+  EXPECT_EQ(drawn, 4);
 }
 
 TEST_F(FrameStoreTest, AnotherKeyBeginsAnew) {

@@ -36,6 +36,7 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   record.videos.push_back(video_record("videos/a.mkv", render::VideoKind::mkv, 30.0, check));
   record.videos[1].sound = video_sound_record(
       {.codec = "opus", .channels = 2, .frames = 168'000, .hash = 0xab, .match = {0, 0.98765}});
+  record.videos[1].frames_hash = "0123";
   record.sound = SoundRecord{.file = "a.wav",
                              .of = "b",
                              .offset_s = 0.5,
@@ -54,6 +55,8 @@ TEST(FilmRecord, IsReadAsItWasWritten) {
   EXPECT_EQ(read.videos, record.videos);
   EXPECT_EQ(read.videos[0].worst_psnr_db, 44.12);
   EXPECT_EQ(read.videos[0].duration_s, 3.5);
+  EXPECT_EQ(read.videos[0].frames_hash, "") << "as in records of former versions";
+  EXPECT_EQ(read.videos[1].frames_hash, "0123");
   EXPECT_EQ(read.videos[1].format, "mkv");
   EXPECT_EQ(read.luminance.lightest, 0.312);
   EXPECT_EQ(read.exposure_stops, -0.25);

@@ -248,6 +248,23 @@ TEST_F(Film, BecomesAVideoThatIsWhatWasAskedFor) {
   EXPECT_THROW(recorder.check(file, render::VideoKind::mkv), render::Error);
 }
 
+// The pictures around a film are part of what a video shows, and no picture of the film shows them.
+TEST_F(Film, HasTheHashOfAllFramesThatItsVideosShow) {
+  const auto hash_with = [&](double grey, std::uint8_t level) {
+    FilmSettings how = settings();
+    how.output.presentation = {.blank_after = 0.3};
+    how.output.presentation.background = grey;
+    FilmRecorder recorder(how, 2);
+    render::Image8 picture(size[0], size[1]);
+    std::ranges::fill(picture.channels, level);
+    for (int frame = 0; frame < 2; ++frame) recorder.take(picture);
+    return recorder.frames_hash();
+  };
+  EXPECT_EQ(hash_with(0.5, 9), hash_with(0.5, 9));
+  EXPECT_NE(hash_with(0.5, 9), hash_with(0.6, 9));
+  EXPECT_NE(hash_with(0.5, 9), hash_with(0.5, 10));
+}
+
 TEST_F(Film, CutShortBecomesNoVideo) {
   const FilmSettings how = settings();
   FilmRecorder recorder(how, shot.frame_count());

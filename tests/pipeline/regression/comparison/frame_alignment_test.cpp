@@ -116,5 +116,22 @@ TEST(FrameAlignment, PairsStillsByTheirPlace) {
   EXPECT_EQ(align(film(still), film(still)).pairs.size(), 12U);
 }
 
+// A table for aligning these would have 600 million entries.
+TEST(FrameAlignment, PairsFramesByNumberWhereLengthsDifferTooMuch) {
+  const std::vector<Thumbnail> longer(25'000, Thumbnail{7}), shorter(12'000, Thumbnail{7});
+  const FrameAlignment cut = align(longer, shorter);
+  EXPECT_EQ(cut.remarks,
+            (Remarks{"12000 frames instead of 25000; too many to align, so frames of the "
+                     "same number are compared"}));
+  EXPECT_EQ(cut.pairs.size(), 12'000U);
+  EXPECT_EQ(cut.missing.size(), 13'000U);
+  EXPECT_EQ(cut.missing.front(), 12'000);
+  EXPECT_TRUE(cut.added.empty());
+  const FrameAlignment grown = align(shorter, longer);
+  EXPECT_EQ(grown.remarks.size(), 1U);
+  EXPECT_EQ(grown.pairs.back().now, 11'999);
+  EXPECT_EQ(grown.added.size(), 13'000U);
+}
+
 }  // namespace
 }  // namespace mien::pipeline
