@@ -8,6 +8,7 @@
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/study/results/people_of_rows.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {
@@ -104,8 +105,8 @@ std::set<std::string> ParticipantTable::finished() const {
   for (const auto& row : table.rows) {
     if (row[static_cast<std::size_t>(done)].text != "1") continue;
     const std::string& participant = row[static_cast<std::size_t>(name)].text;
-    names.insert(participant);
-    if (session >= 0) names.insert(participant + "/" + row[static_cast<std::size_t>(session)].text);
+    const std::string own = session < 0 ? "" : row[static_cast<std::size_t>(session)].text;
+    names.insert(own.empty() ? participant : participant + "/" + own);
   }
   return names;
 }
@@ -182,17 +183,19 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
   std::vector<DemographicSummary> all;
   if (participants.empty()) return all;
   const CsvTable& table = participants.table;
-  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
+  const std::vector<std::string> people = people_of_rows(participants, answer_set);
   const auto answers_to = [&](const std::string& question) {
     const auto column = static_cast<std::size_t>(find_column(table, question));
-    std::vector<std::string> answers;
-    for (const auto& row : table.rows) {
-      // Where people are identified by "participant/session", the participant is before the slash.
-      const bool is_there = std::ranges::any_of(answer_set.people, [&](const std::string& person) {
-        return person == row[name].text || person.starts_with(row[name].text + "/");
-      });
-      if (is_there && !row[column].text.empty()) answers.push_back(row[column].text);
+    std::map<std::string, std::set<std::string>> of_person;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const std::string& answer = table.rows[i][column].text;
+      if (!answer.empty() &&
+          std::ranges::find(answer_set.people, people[i]) != answer_set.people.end())
+        of_person[people[i]].insert(answer);
     }
+    std::vector<std::string> answers;
+    for (const auto& [person, own] : of_person)
+      if (own.size() == 1) answers.push_back(*own.begin());
     return answers;
   };
   for (const std::string& question : participants.questions())
