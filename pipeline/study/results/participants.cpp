@@ -80,19 +80,10 @@ std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_se
   return all;
 }
 
-namespace {
-
-/// Counts of tones by which the page tests sound are no property of participants.
-bool is_tone_count(const std::string& column) { return column == "tones_1" || column == "tones_2"; }
-
-}  // namespace
-
 std::vector<std::string> ParticipantTable::questions() const {
   std::vector<std::string> questions;
   for (const CsvField& field : table.header)
-    if (find_column(participant_form, field.text) == nullptr && field.text != "simulated" &&
-        !is_tone_count(field.text))
-      questions.push_back(field.text);
+    if (is_question_column(field.text)) questions.push_back(field.text);
   return questions;
 }
 

@@ -41,8 +41,7 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The demographic questions: all columns that are not in participant_form, except `simulated`
-  /// and the counts of tones.
+  /// The demographic questions (is_question_column).
   std::vector<std::string> questions() const;
   /// Participants whose column `finished` is 1, as "participant/session", or as "participant" where
   /// the table has no session.
