@@ -210,7 +210,15 @@ TEST_F(ServedStudy, IsLeftByWhoWithdrawsAfterwards) {
                         (folder.path() / "kept.db").string(),
                         (folder.path() / "exported").string()});
   };
+  // Marked as of the first version, which only serving converts.
+  const std::string answers = text_of(folder.path() / "kept.db");
+  std::string former = answers;
+  ASSERT_EQ(former.at(63), 2);
+  former[63] = 1;
+  folder.write("kept.db", former);
   const Ended nobody = withdraw("p009");
+  EXPECT_EQ(text_of(folder.path() / "kept.db"), former);
+  folder.write("kept.db", answers);
   EXPECT_EQ(nobody.code, 2);
   EXPECT_NE(nobody.errors.find("is in none of these files"), std::string::npos) << nobody.errors;
   EXPECT_EQ(text_of(folder.path() / "exported/answers.csv"), table);

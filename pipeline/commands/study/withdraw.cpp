@@ -25,32 +25,45 @@ struct WithdrawOptions {
   std::vector<std::string> files;
 };
 
-/// A session store with the participant's session in it.
-struct StoreWithSession {
-  std::unique_ptr<SessionStore> store;
+/// A session store that holds the participant.
+struct FileWithSession {
+  fs::path file;
   int session = 0;
 };
 
-/// Opens the session stores among the files that hold the participant, and notes the browser
-/// session in `who`.
-std::vector<StoreWithSession> stores_with(const std::vector<fs::path>& files,
-                                          WithdrawnParticipant& who) {
-  std::vector<StoreWithSession> stores;
+/// The session stores among the files that hold the participant; notes the browser session in
+/// `who`. No file is changed.
+std::vector<FileWithSession> stores_with(const std::vector<fs::path>& files,
+                                         WithdrawnParticipant& who) {
+  std::vector<FileWithSession> stores;
   for (const fs::path& file : files) {
     if (file.extension() != ".db") continue;
-    auto store = std::make_unique<SessionStore>(file);
-    const std::optional<int> session = session_of(*store, who.name);
+    SessionStore store(file, DatabaseUse::read);
+    const std::optional<int> session = session_of(store, who.name);
     if (!session) continue;
-    who.ids.insert(store->sessions().at(static_cast<std::size_t>(*session)).participant);
-    const std::string browser = browser_of(*store, *session);
+    who.ids.insert(store.sessions().at(static_cast<std::size_t>(*session)).participant);
+    const std::string browser = browser_of(store, *session);
     if (!who.session.empty() && who.session != browser)
       throw Error({file.string()},
                   fmt::format("another person than in the file before is {} here",
                               motion::in_quotes(who.name)),
                   "give the code that the participant's last page showed");
     who.session = browser;
-    stores.push_back({std::move(store), *session});
+    stores.push_back({file, *session});
   }
+  return stores;
+}
+
+/// A session store that will be changed, with the participant's session in it.
+struct StoreWithSession {
+  std::unique_ptr<SessionStore> store;
+  int session = 0;
+};
+
+std::vector<StoreWithSession> opened_stores(const std::vector<FileWithSession>& files) {
+  std::vector<StoreWithSession> stores;
+  for (const FileWithSession& one : files)
+    stores.push_back({std::make_unique<SessionStore>(one.file), one.session});
   return stores;
 }
 
@@ -85,7 +98,7 @@ void refuse_unreadable(const std::vector<fs::path>& files, const WithdrawnPartic
   for (const fs::path& file : files) {
     try {
       if (file.extension() == ".db")
-        SessionStore{file};
+        SessionStore{file, DatabaseUse::read};
       else
         without_participant(file, who);
     } catch (const Error& error) {
@@ -127,14 +140,15 @@ int withdraw(const WithdrawOptions& options, const Console& console) {
       files_of_participants({options.files.begin(), options.files.end()});
   WithdrawnParticipant who{.name = options.participant, .session = {}, .ids = {}};
   refuse_unreadable(files, who, console);
-  const std::vector<StoreWithSession> stores = stores_with(files, who);
+  const std::vector<FileWithSession> found = stores_with(files, who);
   const std::vector<FileWithout> changed = files_with(files, who);
   for (const FileWithout& one : changed)
     who.ids.insert(one.participants.begin(), one.participants.end());
-  if (stores.empty() && changed.empty())
+  if (found.empty() && changed.empty())
     throw Error({}, motion::in_quotes(options.participant) + " is in none of these files",
                 "give the participant's id, or the code that the last page showed");
   refuse_shared_id(changed, who);
+  const std::vector<StoreWithSession> stores = opened_stores(found);
   for (const FileWithout& one : changed) {
     if (one.is_removed) {
       fs::remove(one.file);

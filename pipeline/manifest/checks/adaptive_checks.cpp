@@ -252,9 +252,8 @@ class AdaptiveExperimentCheck {
   void check_demographics() {
     std::set<std::string> taken;
     for (std::size_t i = 0; i < adaptive_.demographics.size(); ++i)
-      if (!taken.insert(adaptive_.demographics[i].id).second)
-        list_.add(member_path(element_path(at("demographics"), i), "id"),
-                  "another question has this id", "give each a different one");
+      check_question_id(member_path(element_path(at("demographics"), i), "id"),
+                        adaptive_.demographics[i].id, taken, list_);
   }
 
   const Manifest& manifest_;

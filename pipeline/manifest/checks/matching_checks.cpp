@@ -128,11 +128,9 @@ class MatchingCheck {
 
   void check_demographics() {
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < matching_.demographics.size(); ++i) {
-      if (!taken.insert(matching_.demographics[i].id).second)
-        list_.add(member_path(element_path(matching_path("demographics"), i), "id"),
-                  "another question has this id", "give each a different one");
-    }
+    for (std::size_t i = 0; i < matching_.demographics.size(); ++i)
+      check_question_id(member_path(element_path(matching_path("demographics"), i), "id"),
+                        matching_.demographics[i].id, taken, list_);
   }
 
   const Manifest& manifest_;

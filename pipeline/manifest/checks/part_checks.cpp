@@ -1,15 +1,19 @@
 #include "pipeline/manifest/checks/part_checks.h"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "motion/skeleton/body.h"
+#include "motion/text/excerpt.h"
 #include "pipeline/base/documents/fault.h"
 #include "pipeline/base/documents/fault_list.h"
 #include "pipeline/base/documents/places.h"
 #include "pipeline/manifest/checks/film_checks.h"
 #include "pipeline/manifest/look/look_checks.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+#include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/recording_files.h"
 #include "scenes/cameras/camera_settings.h"
 #include "scenes/point_light/dot_joints.h"
@@ -112,6 +116,18 @@ std::vector<Fault> check_parts(const Manifest& manifest) {
 }
 
 }  // namespace
+
+void check_question_id(const std::string& path, const std::string& id, std::set<std::string>& taken,
+                       FaultList& list) {
+  if (is_parameter_column(id))
+    list.add(path, "names that begin with url_ or jatos_ are reserved for ids of participants",
+             "use another name");
+  else if (!is_question_column(id))
+    list.add(path, "the table of participants has a column with this name", "use another name");
+  if (!id.empty() && !taken.insert(id).second)
+    list.add(path, motion::in_quotes(id) + " is already the id of another question",
+             "give each a different one");
+}
 
 std::vector<Fault> check_meaning(const ResolvedManifest& resolved) {
   return merged_faults({check_parts(resolved.manifest), check_looks(resolved.manifest),

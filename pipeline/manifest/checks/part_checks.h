@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "pipeline/base/documents/fault.h"
@@ -108,6 +110,11 @@ std::vector<Fault> check_recruitment(const Manifest& manifest);
 /// Checks the answers that a questionnaire's screening accepts and its quotas count. No faults if
 /// it has none.
 std::vector<Fault> check_screening(const Manifest& manifest);
+
+/// Adds the faults of the id of a question about participants: one of another column of their
+/// table, or of another question. `taken` are the ids before; the id is added to them.
+void check_question_id(const std::string& path, const std::string& id, std::set<std::string>& taken,
+                       FaultList& list);
 
 /// Checks the factors, groups and planned contrasts of a questionnaire's analysis. No faults if it
 /// has none.

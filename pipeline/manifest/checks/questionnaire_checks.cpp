@@ -11,8 +11,6 @@
 #include "pipeline/manifest/checks/part_checks.h"
 #include "pipeline/manifest/person_figure.h"
 #include "pipeline/manifest/questionnaire_content.h"
-#include "pipeline/manifest/ratings/answers/answer_row.h"
-#include "pipeline/manifest/ratings/answers/participant_row.h"
 
 namespace mien::pipeline {
 
@@ -261,11 +259,10 @@ class QuestionnaireCheck {
   /// Ids of questions about the participant: columns of one table.
   void check_question_ids() {
     std::set<std::string> taken;
-    if (questionnaire_.screening.sound) taken = {"tones_1", "tones_2"};
     const auto check_all = [&](const std::string& list_path, const auto& questions) {
       for (std::size_t i = 0; i < questions.size(); ++i) {
         const std::string path = element_path(list_path, i);
-        check_question_id(member_path(path, "id"), questions[i].id, taken);
+        check_question_id(member_path(path, "id"), questions[i].id, taken, list_);
         check_answer_choices(member_path(path, "answer"), questions[i].answer.choices.words);
       }
     };
@@ -282,18 +279,6 @@ class QuestionnaireCheck {
       if (!taken.insert(choices[i]).second)
         list_.add(element_path(path, i), motion::in_quotes(choices[i]) + " appears twice",
                   "name it once");
-  }
-
-  void check_question_id(const std::string& path, const std::string& id,
-                         std::set<std::string>& taken) {
-    if (find_column(participant_form, id) != nullptr)
-      list_.add(path, "the table of participants has a column with this name", "use another name");
-    if (is_parameter_column(id))
-      list_.add(path, "names that begin with url_ or jatos_ are reserved for ids of participants",
-                "use another name");
-    if (!id.empty() && !taken.insert(id).second)
-      list_.add(path, motion::in_quotes(id) + " is already the id of another question",
-                "give each a different one");
   }
 
   void check_display() {

@@ -91,16 +91,19 @@ std::vector<Unfinished> unfinished_of(const std::vector<AnswerRow>& rows,
                                       const ReportChoices& choices) {
   std::map<std::string, std::set<int>> trials;
   std::map<std::string, int> planned;
+  std::set<std::string> finished;
   for (const AnswerRow& row : rows) {
     trials[row.participant].insert(row.trial);
+    if (choices.finished.contains(row.participant) ||
+        choices.finished.contains(row.participant + "/" + row.session))
+      finished.insert(row.participant);
     const auto plan = choices.planned.find(row.seed);
     if (plan != choices.planned.end()) planned[row.participant] = plan->second;
   }
   std::vector<Unfinished> unfinished;
   for (const auto& [participant, of] : planned) {
     const int done = static_cast<int>(trials.at(participant).size());
-    if (done < of && !choices.finished.contains(participant))
-      unfinished.push_back({participant, done, of});
+    if (done < of && !finished.contains(participant)) unfinished.push_back({participant, done, of});
   }
   return unfinished;
 }
@@ -248,6 +251,8 @@ AnswerSet collect_answers(const Manifest& manifest, std::vector<AnswerRow> rows,
   result.alpha = asked.analysis.alpha;
   const std::vector<SessionStart> sessions = session_starts(rows);
   result.notes = separate_participants(rows);
+  for (const SessionStart& session : sessions)
+    result.person_of_session.emplace(session.name, rows[session.row].participant);
   for (std::string& sentence : unplayed_sentences(rows))
     result.notes.push_back(std::move(sentence));
   result.simulated = std::ranges::any_of(rows, &AnswerRow::simulated);

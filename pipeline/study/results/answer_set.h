@@ -129,7 +129,7 @@ struct ReportChoices {
   std::optional<int> max_failed_checks;
   std::map<std::uint64_t, int>
       planned;  ///< planned number of trials of a session, by the seed of its plan
-  std::set<std::string> finished;   ///< participants who finished, according to their tables
+  std::set<std::string> finished;   ///< participants who finished (ParticipantTable::finished)
   bool without_unfinished = false;  ///< exclude participants who did not finish
   SessionPeople session_people;     ///< for the quality rule repeated_by
   /// Of continuous trials: the moods of stimuli whose mood changes, by stimulus id.
@@ -187,6 +187,9 @@ struct AnswerSet {
   double alpha = 0.05;  ///< significance level
   bool simulated = false;
   std::string design;  ///< design hash of the answers; may be empty
+  /// Who gave the answers of each session: the session as tables name it, and the participant as in
+  /// `people` (separate_participants), also if excluded.
+  std::map<SessionName, std::string> person_of_session;
   /// A sentence for each participant id that was split, because several sessions used it
   /// (separate_participants), and about a quality rule that could not be applied.
   std::vector<std::string> notes;

@@ -4,11 +4,18 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "motion/text/excerpt.h"
+#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/statistics/exact_number.h"
 #include "pipeline/base/statistics/t_test.h"
 #include "pipeline/study/results/comparisons.h"
+#include "pipeline/study/results/people_of_rows.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {
@@ -40,33 +47,109 @@ GroupComparison group_comparison(const ParticipantGroups& groups, const std::vec
   return result;
 }
 
+/// What the table of participants has of a person.
+struct OwnRows {
+  int rows = 0;
+  std::vector<std::string> answers;  ///< to the question; one for each row with an answer
+
+  bool is_grouped() const { return answers.size() == 1; }
+};
+
+/// By index into AnswerSet::people; empty if the table has no such column.
+std::vector<OwnRows> own_rows(const ParticipantTable& participants, const std::string& question,
+                              const AnswerSet& answer_set) {
+  const int found = participants.empty() ? -1 : find_column(participants.table, question);
+  if (found < 0) return {};
+  const auto column = static_cast<std::size_t>(found);
+  const std::vector<std::string> people = people_of_rows(participants, answer_set);
+  std::vector<OwnRows> all(answer_set.people.size());
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const auto person = std::ranges::find(answer_set.people, people[i]);
+    if (person == answer_set.people.end()) continue;
+    OwnRows& own = all[static_cast<std::size_t>(person - answer_set.people.begin())];
+    ++own.rows;
+    const std::string& answer = participants.table.rows[i][column].text;
+    if (!answer.empty()) own.answers.push_back(answer);
+  }
+  return all;
+}
+
+constexpr std::string_view no_answer = "the question was not answered";
+
+/// Why a person is in no group, with the remedy; the names of separated people are not ids.
+std::string_view reason_of_no_group(const OwnRows& own, bool is_separated, bool has_sessions) {
+  if (own.answers.size() > 1)
+    return "the table of participants has several rows with an answer; keep the right one";
+  if (own.rows > 0) return no_answer;
+  if (is_separated && !has_sessions)
+    return "the table of participants has no column session, which tells apart people with the "
+           "same id; give one that has it";
+  return "the table of participants has no row with the id and session of the answers; give the "
+         "tables of all participants with --participants";
+}
+
+/// People in no group: the reason and their names.
+std::map<std::string, std::vector<std::string>> ungrouped_people(
+    const ParticipantTable& participants, const std::string& question,
+    const AnswerSet& answer_set) {
+  std::set<std::string> separated;
+  for (const auto& [session, person] : answer_set.person_of_session)
+    if (person != session.first) separated.insert(person);
+  const bool has_sessions = find_column(participants.table, "session") >= 0;
+  const std::vector<OwnRows> all = own_rows(participants, question, answer_set);
+  std::map<std::string, std::vector<std::string>> people;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& person = answer_set.people[i];
+    if (all[i].is_grouped()) continue;
+    const std::string_view reason =
+        reason_of_no_group(all[i], separated.contains(person), has_sessions);
+    people[std::string(reason)].push_back(motion::in_quotes(person));
+  }
+  return people;
+}
+
 }  // namespace
 
 std::map<std::string, std::vector<std::size_t>> people_by_answer(
     const ParticipantTable& participants, const std::string& question,
     const AnswerSet& answer_set) {
-  const CsvTable& table = participants.table;
-  const int found = participants.empty() ? -1 : find_column(table, question);
-  if (found < 0) return {};
-  const auto column = static_cast<std::size_t>(found);
-  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
-  std::map<std::string, std::set<std::size_t>> groups;
-  std::set<std::size_t> met, doubtful;
-  for (const auto& row : table.rows) {
-    if (row[column].text.empty()) continue;
-    for (std::size_t person = 0; person < answer_set.people.size(); ++person) {
-      // Where people are identified by "participant/session", the participant is before the slash.
-      const std::string& known = answer_set.people[person];
-      if (known != row[name].text && !known.starts_with(row[name].text + "/")) continue;
-      if (!met.insert(person).second) doubtful.insert(person);
-      groups[row[column].text].insert(person);
-    }
-  }
+  const std::vector<OwnRows> all = own_rows(participants, question, answer_set);
   std::map<std::string, std::vector<std::size_t>> people;
-  for (const auto& [answer, persons] : groups)
-    for (const std::size_t person : persons)
-      if (!doubtful.contains(person)) people[answer].push_back(person);
+  for (std::size_t person = 0; person < all.size(); ++person)
+    if (all[person].is_grouped()) people[all[person].answers.front()].push_back(person);
   return people;
+}
+
+std::vector<std::string> ungrouped_sentences(const ParticipantTable& participants,
+                                             const AnswerSet& answer_set) {
+  const std::string& planned = answer_set.factorial.between;
+  std::vector<std::string> sentences;
+  if (!planned.empty() && (participants.empty() || find_column(participants.table, planned) < 0))
+    sentences.push_back(
+        fmt::format("there are no groups by {}: {}; give the tables of all "
+                    "participants with --participants",
+                    motion::in_quotes(planned),
+                    participants.empty() ? "there is no table of participants"
+                                         : "the table of participants has no such column"));
+  if (participants.empty()) return sentences;
+  std::set<std::string> compared = {planned};
+  for (const ParticipantGroups& groups : participant_groups(participants, answer_set))
+    compared.insert(groups.question);
+  std::set<std::string> asked = answer_set.worded_questions;
+  if (!planned.empty()) asked.insert(planned);
+  std::map<std::pair<std::string, std::vector<std::string>>, std::vector<std::string>> questions;
+  for (const std::string& question : asked)
+    for (const auto& [reason, people] : ungrouped_people(participants, question, answer_set))
+      if (reason != no_answer || compared.contains(question))
+        questions[{reason, people}].push_back(motion::in_quotes(question));
+  for (const auto& [left_out, of] : questions) {
+    const auto& [reason, people] = left_out;
+    sentences.push_back(fmt::format("{} {} {} in no group by {}, because {}",
+                                    people.size() == 1 ? "participant" : "participants",
+                                    fmt::join(people, ", "), people.size() == 1 ? "is" : "are",
+                                    fmt::join(of, ", "), reason));
+  }
+  return sentences;
 }
 
 std::vector<ParticipantGroups> participant_groups(const ParticipantTable& participants,

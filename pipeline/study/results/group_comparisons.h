@@ -19,11 +19,17 @@ struct ParticipantGroups {
   std::vector<std::size_t> people_one, people_other;
 };
 
-/// Included participants by their answer to a question; those for whom the table has answers to the
-/// question in several rows are omitted, even if the answers are equal. Empty if the table has no
-/// such column.
+/// Included participants by their answer to a question, with the rows that people_of_rows tells;
+/// those for whom several rows have answers to the question are omitted, even if the answers are
+/// equal. Empty if the table has no such column.
 std::map<std::string, std::vector<std::size_t>> people_by_answer(
     const ParticipantTable& participants, const std::string& question, const AnswerSet& answer_set);
+
+/// Names the included participants who are in no group, with the question and the reason: no row of
+/// theirs, several with an answer to the question, or, of questions that the analysis compares, no
+/// answer. States if there are no groups by the question that the manifest plans.
+std::vector<std::string> ungrouped_sentences(const ParticipantTable& participants,
+                                             const AnswerSet& answer_set);
 
 /// The groups of the two most frequent answers to each demographic question whose answers are not
 /// numbers, if at least two participants gave each answer. Participants for whom the table has

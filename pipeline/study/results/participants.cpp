@@ -9,6 +9,7 @@
 #include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/identifying_columns.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
+#include "pipeline/study/results/people_of_rows.h"
 #include "pipeline/study/results/summaries.h"
 
 namespace mien::pipeline {
@@ -80,19 +81,10 @@ std::vector<ParticipantSummary> participant_summaries(const AnswerSet& answer_se
   return all;
 }
 
-namespace {
-
-/// Counts of tones by which the page tests sound are no property of participants.
-bool is_tone_count(const std::string& column) { return column == "tones_1" || column == "tones_2"; }
-
-}  // namespace
-
 std::vector<std::string> ParticipantTable::questions() const {
   std::vector<std::string> questions;
   for (const CsvField& field : table.header)
-    if (find_column(participant_form, field.text) == nullptr && field.text != "simulated" &&
-        !is_tone_count(field.text))
-      questions.push_back(field.text);
+    if (is_question_column(field.text)) questions.push_back(field.text);
   return questions;
 }
 
@@ -105,8 +97,8 @@ std::set<std::string> ParticipantTable::finished() const {
   for (const auto& row : table.rows) {
     if (row[static_cast<std::size_t>(done)].text != "1") continue;
     const std::string& participant = row[static_cast<std::size_t>(name)].text;
-    names.insert(participant);
-    if (session >= 0) names.insert(participant + "/" + row[static_cast<std::size_t>(session)].text);
+    const std::string own = session < 0 ? "" : row[static_cast<std::size_t>(session)].text;
+    names.insert(own.empty() ? participant : participant + "/" + own);
   }
   return names;
 }
@@ -167,17 +159,19 @@ std::vector<DemographicSummary> demographics_of(const ParticipantTable& particip
   std::vector<DemographicSummary> all;
   if (participants.empty()) return all;
   const CsvTable& table = participants.table;
-  const auto name = static_cast<std::size_t>(require_column(table, "participant"));
+  const std::vector<std::string> people = people_of_rows(participants, answer_set);
   const auto answers_to = [&](const std::string& question) {
     const auto column = static_cast<std::size_t>(find_column(table, question));
-    std::vector<std::string> answers;
-    for (const auto& row : table.rows) {
-      // Where people are identified by "participant/session", the participant is before the slash.
-      const bool is_there = std::ranges::any_of(answer_set.people, [&](const std::string& person) {
-        return person == row[name].text || person.starts_with(row[name].text + "/");
-      });
-      if (is_there && !row[column].text.empty()) answers.push_back(row[column].text);
+    std::map<std::string, std::set<std::string>> of_person;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const std::string& answer = table.rows[i][column].text;
+      if (!answer.empty() &&
+          std::ranges::find(answer_set.people, people[i]) != answer_set.people.end())
+        of_person[people[i]].insert(answer);
     }
+    std::vector<std::string> answers;
+    for (const auto& [person, own] : of_person)
+      if (own.size() == 1) answers.push_back(*own.begin());
     return answers;
   };
   for (const std::string& question : participants.questions())

@@ -41,11 +41,10 @@ struct ParticipantTable {
   CsvTable table;
 
   bool empty() const { return table.rows.empty(); }
-  /// The demographic questions: all columns that are not in participant_form, except `simulated`
-  /// and the counts of tones.
+  /// The demographic questions (is_question_column).
   std::vector<std::string> questions() const;
-  /// Names of participants whose column `finished` is 1; if there is a column session, also as
-  /// "participant/session".
+  /// Participants whose column `finished` is 1, as "participant/session", or as "participant" where
+  /// the table has no session.
   std::set<std::string> finished() const;
 };
 
@@ -66,6 +65,8 @@ struct DemographicSummary {
   bool is_count = false;  ///< `value` is a frequency
 };
 
+/// Whose the rows are is told by people_of_rows. A participant with several rows counts once if
+/// their answers are equal, and not at all if they differ.
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
                                                 const AnswerSet& answer_set);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,8 @@ inline Results results_of(AnswerSet answer_set, const std::vector<AnswerRow>& ro
   results.rule_counts = rule_counts(results.answer_set, rows);
   results.quality_flags = listed_flags(results.answer_set, rows);
   results.groups = compare_groups(demographics, results.answer_set);
+  for (std::string& sentence : ungrouped_sentences(demographics, results.answer_set))
+    results.answer_set.notes.push_back(std::move(sentence));
   results.demographics = std::move(demographics);
   return results;
 }

@@ -1,5 +1,7 @@
 #include "pipeline/study/server/database.h"
 
+#include <system_error>
+
 #include <sqlite3.h>
 
 #include "motion/error.h"
@@ -27,9 +29,10 @@ std::string resolved_path(const std::filesystem::path& file) {
 
 std::string database_library() { return sqlite3_libversion(); }
 
-Database::Database(const std::filesystem::path& file) : file_(file) {
-  const int flags =
-      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX;
+Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(file) {
+  // A connection that could not write would leave an empty log and an index of it behind.
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX |
+                    (use == DatabaseUse::change ? SQLITE_OPEN_CREATE : 0);
   const bool is_new = !std::filesystem::exists(file);
   if (sqlite3_open_v2(resolved_path(file).c_str(), &database_, flags, nullptr) != SQLITE_OK) {
     const std::string reason = sqlite3_errmsg(database_);
@@ -41,7 +44,10 @@ Database::Database(const std::filesystem::path& file) : file_(file) {
     if (is_new)
       std::filesystem::permissions(
           file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-    lock_file();
+    if (use == DatabaseUse::change)
+      lock_file();
+    else
+      lock_unchanged();
   } catch (...) {
     sqlite3_close(database_);
     throw;
@@ -54,6 +60,13 @@ void Database::lock_file() {
   run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
       "PRAGMA foreign_keys = ON; PRAGMA trusted_schema = OFF;"
       "BEGIN IMMEDIATE; COMMIT;");
+}
+
+void Database::lock_unchanged() {
+  // What a killed process left in the log stays there.
+  std::error_code unknown;
+  if (std::filesystem::exists(file_.string() + "-wal", unknown)) keep_log();
+  run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA query_only = ON; PRAGMA trusted_schema = OFF;");
 }
 
 void Database::fail() const {

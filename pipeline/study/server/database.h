@@ -13,13 +13,19 @@ namespace mien::pipeline {
 /// Version of the SQLite library that stores answers: "3.40.1".
 std::string database_library();
 
+/// Whether a file may be changed.
+enum class DatabaseUse { change, read };
+
 /// A SQLite file, locked exclusively while this object exists. A committed transaction has been
 /// flushed to disk (write-ahead log, synchronised at every commit). Not thread-safe.
 class Database {
  public:
   /// Opens or creates the file. Throws Error if it cannot be opened, is not a SQLite file or is
   /// locked by another process, and WriteFailure if it cannot be written.
-  explicit Database(const std::filesystem::path& file);
+  ///
+  /// With DatabaseUse::read, the file must exist. Neither it nor its write-ahead log is changed,
+  /// and the errors are thrown by the first reading.
+  explicit Database(const std::filesystem::path& file, DatabaseUse use = DatabaseUse::change);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -42,6 +48,7 @@ class Database {
 
  private:
   void lock_file();
+  void lock_unchanged();
 
   std::filesystem::path file_;
   sqlite3* database_ = nullptr;

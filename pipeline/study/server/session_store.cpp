@@ -2,10 +2,12 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
 
 #include <sys/random.h>
 
 #include "motion/error.h"
+#include "pipeline/base/documents/files.h"
 
 namespace mien::pipeline {
 
@@ -105,9 +107,10 @@ void insert_step(Database& database, const StoredStep& step) {
 
 }  // namespace
 
-SessionStore::SessionStore(const std::filesystem::path& file)
-    : lacks_log_(is_without_log(file)), database_(file) {
+SessionStore::SessionStore(const std::filesystem::path& file, DatabaseUse use)
+    : lacks_log_(is_without_log(file)), use_(use), database_(file, use) {
   prepare();
+  if (use_ == DatabaseUse::read) return;
   database_.run(step_table);
   // What is deleted is overwritten by zeros.
   database_.run("PRAGMA secure_delete = ON");
@@ -118,6 +121,7 @@ SessionStore::SessionStore(const std::filesystem::path& file)
 }
 
 SessionStore::~SessionStore() {
+  if (use_ == DatabaseUse::read) return;
   try {
     database_.run("DELETE FROM facts WHERE name = 'open'");
   } catch (const std::exception&) {  // a full disk: the file remains marked as having a log
@@ -144,7 +148,8 @@ void SessionStore::prepare() {
   const std::int64_t version = database_.pragma("user_version");
   if (mark == store_application_id && (version == store_version || version == 1)) {
     refuse_missing_log(false);
-    if (version == 1) convert();
+    has_ends_ = version > 1 || use_ == DatabaseUse::change;
+    if (version == 1 && use_ == DatabaseUse::change) convert();
     return;
   }
   Statement tables(database_, "SELECT count(*) FROM sqlite_schema");
@@ -160,6 +165,8 @@ void SessionStore::prepare() {
     throw Error({database_.file().string()}, "is a different kind of database",
                 "name another file");
   refuse_missing_log(true);
+  has_tables_ = use_ == DatabaseUse::change;
+  if (!has_tables_) return;
   Transaction transaction(database_);
   database_.run(store_tables);
   transaction.commit();
@@ -209,11 +216,11 @@ void SessionStore::add(const StoredSession& session, const StoredRecord& first) 
 
 std::vector<StoredSession> SessionStore::sessions() {
   const std::lock_guard lock(mutex_);
-  Statement statement(
-      database_,
-      "SELECT number, plan, participant, link, begun_at, came_by, ended FROM sessions "
-      "ORDER BY number");
   std::vector<StoredSession> sessions;
+  if (!has_tables_) return sessions;
+  Statement statement(database_,
+                      std::string("SELECT number, plan, participant, link, begun_at, came_by, ") +
+                          (has_ends_ ? "ended" : "''") + " FROM sessions ORDER BY number");
   while (statement.step())
     sessions.push_back({.index = static_cast<int>(statement.number(0)),
                         .plan = static_cast<int>(statement.number(1)),
@@ -316,12 +323,14 @@ std::vector<StoredStep> SessionStore::steps() {
 
 std::vector<StoredRecord> SessionStore::records() {
   const std::lock_guard lock(mutex_);
+  if (!has_tables_) return {};
   Statement statement(database_, std::string(record_columns) + " ORDER BY session, position");
   return read_records(statement);
 }
 
 std::vector<StoredRecord> SessionStore::records_of(int session) {
   const std::lock_guard lock(mutex_);
+  if (!has_tables_) return {};
   Statement statement(database_,
                       std::string(record_columns) + " WHERE session = ?1 ORDER BY position");
   return read_records(statement.with(session));

@@ -63,7 +63,10 @@ class SessionStore {
   /// session store, has a later version of the format, is open in another process, or was copied
   /// from a running server without its write-ahead log (FILE-wal), which contains the latest
   /// records.
-  explicit SessionStore(const std::filesystem::path& file);
+  ///
+  /// With DatabaseUse::read, the file is not changed, nor converted. Only `sessions`, `records` and
+  /// `records_of` may then be called; an empty file has no sessions.
+  explicit SessionStore(const std::filesystem::path& file, DatabaseUse use = DatabaseUse::change);
   ~SessionStore();
   SessionStore(const SessionStore&) = delete;
   SessionStore& operator=(const SessionStore&) = delete;
@@ -114,7 +117,10 @@ class SessionStore {
   void empty_erased_log();
 
   mutable std::mutex mutex_;
-  bool lacks_log_ = false;       ///< the file existed without its log
+  bool lacks_log_ = false;  ///< the file existed without its log
+  DatabaseUse use_ = DatabaseUse::change;
+  bool has_tables_ = true;       ///< false: an empty file that is only read
+  bool has_ends_ = true;         ///< false: a file of version 1 that is only read
   bool has_erased_log_ = false;  ///< of has_erased_log()
   Database database_;
 };

@@ -1,5 +1,7 @@
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 
+#include "pipeline/manifest/ratings/answers/answer_row.h"
+
 namespace mien::pipeline {
 
 namespace {
@@ -31,6 +33,11 @@ constexpr auto participant_columns = table_of<ParticipantRow>(
 }  // namespace
 
 const TableForm participant_form = participant_columns.form();
+
+bool is_question_column(std::string_view name) {
+  return find_column(participant_form, name) == nullptr && !is_parameter_column(name) &&
+         name != "simulated" && name != "tones_1" && name != "tones_2";
+}
 
 std::string to_csv(const std::vector<ParticipantRow>& rows,
                    const std::vector<std::string>& questions) {

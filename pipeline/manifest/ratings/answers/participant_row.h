@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/base/documents/table.h"
@@ -25,6 +26,11 @@ struct ParticipantRow {
 
 /// The columns in order; the last stands for one column per question.
 extern const TableForm participant_form;
+
+/// Whether a column of tables of participants may be the answer to a question about them: it is no
+/// other one of participant_form, no parameter of a link (is_parameter_column), no count of tones
+/// by which pages test the sound, and not `simulated`.
+bool is_question_column(std::string_view name);
 
 /// Returns the rows as CSV, in the given order. `questions` are the ids of the questions, one per
 /// answer of each row.

@@ -12,6 +12,7 @@
 #include "pipeline/base/documents/table.h"
 #include "pipeline/manifest/ratings/answers/participant_row.h"
 #include "pipeline/manifest/ratings/answers/trace_table.h"
+#include "pipeline/study/results/people_of_rows.h"
 
 namespace mien::pipeline {
 
@@ -110,13 +111,18 @@ std::string stimuli_csv(const AnswerSet& answer_set) {
   return writer.text();
 }
 
-std::string participants_csv(const CsvTable& table) {
+/// The table of participants, with participants named as in the other tables.
+std::string participants_csv(const Results& results) {
+  const CsvTable& table = results.demographics.table;
+  const std::vector<std::string> names = published_names(results.demographics, results.answer_set);
+  const auto participant = static_cast<std::size_t>(require_column(table, "participant"));
   std::vector<std::string> header;
   for (const CsvField& field : table.header) header.push_back(field.text);
   CsvWriter writer(header);
-  for (const auto& row : table.rows) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
     std::vector<std::string> fields;
-    for (const CsvField& field : row) fields.push_back(field.text);
+    for (const CsvField& field : table.rows[i]) fields.push_back(field.text);
+    fields[participant] = names[i];
     writer.row(fields);
   }
   return writer.text();
@@ -244,7 +250,7 @@ std::vector<DatasetFile> dataset_files(const Results& results, const std::vector
   if (results.answer_set.form->is_continuous)
     files.push_back({paths.traces, separated_traces_csv(results, rows)});
   if (!results.demographics.empty())
-    files.push_back({paths.participants, participants_csv(results.demographics.table)});
+    files.push_back({paths.participants, participants_csv(results)});
   return files;
 }
 

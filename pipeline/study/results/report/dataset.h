@@ -29,9 +29,10 @@ struct DatasetPaths {
 DatasetPaths dataset_paths(const std::string& study);
 
 /// The data as a Psych-DS dataset (psych-ds.github.io): the answers, including those of excluded
-/// participants, which are marked; the stimuli with their factors; the participants, if known;
-/// dataset_description.json (JSON-LD, schema.org), which describes every column of these;
-/// codebook.csv, which also describes the tables of results; README.md; and .psychdsignore.
+/// participants, which are marked; the stimuli with their factors; the participants, if known,
+/// named as in the answers; dataset_description.json (JSON-LD, schema.org), which describes every
+/// column of these; codebook.csv, which also describes the tables of results; README.md; and
+/// .psychdsignore.
 std::vector<DatasetFile> dataset_files(const Results& results, const std::vector<AnswerRow>& rows,
                                        const std::vector<WrittenTable>& tables);
 

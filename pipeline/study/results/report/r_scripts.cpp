@@ -1,10 +1,15 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/manifest/ratings/answers/trial_form.h"
 #include "pipeline/study/results/report/dataset.h"
 
@@ -36,9 +41,9 @@ std::string vector_in_r(const std::vector<std::string>& texts) {
 /// Names of variables in R for the factors of the crossing and the question that forms groups:
 /// letters, digits and '_', each different and unlike the other variables of the scripts.
 std::vector<std::string> names_in_r(const std::vector<std::string>& names) {
-  std::set<std::string> taken = {"participant", "stimulus", "value", "answer", "item", "key",
-                                 "TRUE",        "FALSE",    "NULL",  "NA",     "if",   "else",
-                                 "for",         "while",    "in",    "next",   "T",    "F"};
+  std::set<std::string> taken = {"answer", "excluded", "key",   "TRUE", "FALSE", "NULL", "NA", "if",
+                                 "else",   "for",      "while", "in",   "next",  "T",    "F"};
+  for (std::string& column : header_of(answer_form)) taken.insert(std::move(column));
   std::vector<std::string> own;
   for (const std::string& name : names) {
     std::string variable;
@@ -237,15 +242,18 @@ std::string head_of(const DesignInR& design, const std::string& what, const std:
 
 {libraries}options(contrasts = c("contr.sum", "contr.poly"), width = 120)
 
-answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8",
-                    colClasses = c(participant = "character", session = "character",
-                                   value = "character", comment = "character"))
+# Texts, also where they look like numbers or TRUE and FALSE.
+texts <- c("participant", "session", "block", "kind", "stimulus", "stimulus_sha256", "against",
+           "level", "track", "item", "value_raw", "value", "pole_left", "expected", "play_fault",
+           "comment", "seed", "design")
+answers <- read.csv(file.path("..", "{answers}"), encoding = "UTF-8", na.strings = "",
+                    colClasses = setNames(rep("character", length(texts)), texts))
 
 # The answers analysed in the report: ratings outside practice, warm-up and checks, by
 # participants who were not excluded.
 counted <- subset(answers, ({on_scale}) &
                     is_practice == 0 & is_warmup == 0 & is_check == 0 &
-                    excluded == 0 & !is.na(value) & value != "")
+                    excluded == 0 & !is.na(value))
 counted$value <- as.numeric(counted$value)
 
 # {stimuli}
@@ -261,13 +269,14 @@ counted$value <- as.numeric(counted$value)
   if (!design.group.empty())
     text += fmt::format(
         R"script(
-# Groups of participants.
+# Groups of participants; those for whom several rows have an answer are in none. Answers lose the
+# mark by which spreadsheets do not take them for formulas.
 people <- read.csv(file.path("..", "{people}"), encoding = "UTF-8", check.names = FALSE,
-                   colClasses = "character")
+                   colClasses = "character", na.strings = "")
+people <- people[!is.na(people[[{question}]]), ]
 people <- people[!people$participant %in% people$participant[duplicated(people$participant)], ]
-key <- ifelse(counted$participant %in% people$participant, counted$participant,
-              sub("/[^/]*$", "", counted$participant))
-counted${group} <- people[[{question}]][match(key, people$participant)]
+counted${group} <- sub("^'(?='* *[=+@-])", "", perl = TRUE,
+  people[[{question}]][match(counted$participant, people$participant)])
 # Those that the report analyses: of at least two participants with answers in all cells.
 analysed <- {groups}
 counted <- counted[paste(counted$item, counted${group}) %in% analysed, ]
@@ -276,7 +285,9 @@ counted${group} <- factor(counted${group})
         fmt::arg("people", paths.participants), fmt::arg("group", design.group),
         fmt::arg("question", quoted_in_r(design.results.effects.between)),
         fmt::arg("groups", analysed_groups_in_r(design.results)));
-  return text + "counted$participant <- factor(counted$participant)\n" +
+  return text +
+         "if (nrow(counted) == 0) stop(\"data/ has no ratings that the report analyses\")\n"
+         "counted$participant <- factor(counted$participant)\n"
          "counted$stimulus <- factor(counted$stimulus)\n";
 }
 

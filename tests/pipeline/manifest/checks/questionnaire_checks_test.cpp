@@ -203,6 +203,13 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
        "there is no file"},
       {"participants: 4, scales: all, demographics: [{id: session, ask: x, answer: text}]",
        "questionnaire.demographics[0].id", "a column with this name"},
+      {"participants: 4, scales: all, demographics: [{id: simulated, ask: x, answer: text}]",
+       "questionnaire.demographics[0].id", "a column with this name"},
+      {"participants: 4, scales: all, demographics: [{id: tones_2, ask: x, answer: number}]",
+       "questionnaire.demographics[0].id", "a column with this name"},
+      {"participants: 4, scales: all, screening: {questions: [{id: tones_1, ask: x, answer: "
+       "number}]}",
+       "questionnaire.screening.questions[0].id", "a column with this name"},
       {"participants: 4, scales: all, demographics: [{id: url_age, ask: x, answer: text}]",
        "questionnaire.demographics[0].id", "begin with url_"},
       {"participants: 4, scales: all, display: {size: native, distance_cm: 57}",
@@ -338,6 +345,33 @@ TEST(QuestionnaireChecks, TellWhatIsWrongWithItsPlace) {
     EXPECT_NE(text.find(wrong.place), std::string::npos) << wrong.members << "\n" << text;
     EXPECT_NE(text.find(wrong.words), std::string::npos) << wrong.members << "\n" << text;
     EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one: " << text;
+  }
+}
+
+/// Their participants are in tables of the same form.
+TEST(QuestionnaireChecks, KeepColumnsOfParticipantsFromQuestionsOfOtherExperiments) {
+  const std::string head =
+      "mien: 1\nstudy: s\nexamples: {set: builtin:walks-10, ratings: builtin}\n";
+  const std::string matching =
+      head +
+      "stimuli: [{id: t1, role: target, weights: {normal: 0.5, sad: 0.5}}]\n"
+      "matching: {participants: 2, interfaces: [weights], limit_s: 60, demographics: [{id: ";
+  const std::string adaptive =
+      head +
+      "adaptive: {participants: 2, method: gibbs, words: [sad, happy], space: {groups: "
+      "[quickness, largeness]}, iterations: 4, demographics: [{id: ";
+  const auto wrong_with = [](const std::string& text) {
+    const ManifestReading reading =
+        parse_manifest(text + ", ask: x, answer: text}]}\n", "/nowhere/m.yaml",
+                       [](const std::string&) { return std::nullopt; });
+    return reading.faults.empty() ? std::string() : Faults(reading.faults).what();
+  };
+  for (const std::string& experiment : {matching, adaptive}) {
+    EXPECT_EQ(wrong_with(experiment + "hand"), "");
+    for (const char* id : {"session", "simulated", "jatos_worker"}) {
+      const std::string text = wrong_with(experiment + id);
+      EXPECT_NE(text.find(".demographics[0].id: "), std::string::npos) << id << ": " << text;
+    }
   }
 }
 

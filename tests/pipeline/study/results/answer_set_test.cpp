@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/fault.h"
+#include "pipeline/study/results/participants.h"
 #include "pipeline/study/results/two_emotions.h"
 
 namespace mien::pipeline {
@@ -98,6 +100,26 @@ TEST(AnswerSet, TellsViewingDistancesOfIncludedParticipantsOnly) {
   EXPECT_EQ(answer_set.people.size(), 2u);
   ASSERT_EQ(answer_set.notes.size(), 2u);  // and that the unfinished are left out
   EXPECT_NE(answer_set.notes[0].find("mean 60.0 cm"), std::string::npos) << answer_set.notes[0];
+}
+
+TEST(AnswerSet, BelievesThatParticipantsFinishedIfTheirOwnSessionDid) {
+  const Manifest manifest = two_emotion_study(3);
+  std::vector<AnswerRow> rows = answers_to(manifest);
+  ReportChoices choices;
+  for (const AnswerRow& row : rows) choices.planned[row.seed] = 5;
+  const int trial = rows.front().trial;
+  std::erase_if(
+      rows, [&](const AnswerRow& row) { return row.participant == "p001" && row.trial == trial; });
+  const auto unfinished = [&](const std::string& finished) {
+    choices.finished = {finished};
+    return collect_answers(manifest, rows, choices).unfinished.size();
+  };
+  EXPECT_EQ(unfinished("p001/gone"), 1u);
+  EXPECT_EQ(unfinished("p001/simulated"), 0u);
+  EXPECT_EQ(unfinished("p001"), 0u);
+  const ParticipantTable people{
+      parse_csv("participant,session,finished\np001,gone,1\np002,,1\np003,a,0\n", "people.csv")};
+  EXPECT_EQ(people.finished(), (std::set<std::string>{"p001/gone", "p002"}));
 }
 
 TEST(AnswerSet, TellsEveryFaultWithItsPlace) {

@@ -302,6 +302,65 @@ TEST(GroupComparisons, AreWelchsOfThePeoplesOwnMeans) {
   EXPECT_TRUE(compare_groups(people, answer_set).empty());
 }
 
+TEST(GroupComparisons, TellPeopleWhoShareAnIdApartByTheirSessions) {
+  AnswerSet answer_set = four_videos({{1}, {2}, {0}, {-1}});
+  answer_set.people = {"p0/a", "p0/b", "p1/a", "p1/b"};
+  for (const std::string id : {"p0", "p1"})
+    for (const std::string session : {"a", "b"})
+      answer_set.person_of_session[{id, session}] = id + "/" + session;
+  answer_set.worded_questions = {"gender"};
+  const ParticipantTable people{parse_csv(
+      "participant,session,gender\np0,a,woman\np1,b,man\np0,b,man\np1,a,woman\n", "people.csv")};
+  const std::vector<GroupComparison> all = compare_groups(people, answer_set);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].people_one, 2);
+  EXPECT_EQ(all[0].people_other, 2);
+  EXPECT_EQ(people_by_answer(people, "gender", answer_set).at("woman"),
+            (std::vector<std::size_t>{0, 2}));
+  EXPECT_TRUE(ungrouped_sentences(people, answer_set).empty());
+
+  const ParticipantTable without{parse_csv("participant,gender\np0,woman\np1,man\n", "people.csv")};
+  EXPECT_TRUE(people_by_answer(without, "gender", answer_set).empty());
+  const std::vector<std::string> told = ungrouped_sentences(without, answer_set);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("no column session"), std::string::npos) << told[0];
+}
+
+TEST(GroupComparisons, LeaveNobodyOutBecauseOfVisitorsWithTheSameId) {
+  AnswerSet answer_set = four_videos({{1}, {2}});
+  answer_set.person_of_session = {{{"p0", "a"}, "p0"}, {{"p1", "b"}, "p1"}};
+  const ParticipantTable people{
+      parse_csv("participant,session,gender\np0,a,woman\np1,b,woman\np0,left,man\n", "people.csv")};
+  const auto groups = people_by_answer(people, "gender", answer_set);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups.at("woman"), (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(GroupComparisons, NameThoseWhoAreInNoGroup) {
+  AnswerSet answer_set = four_videos({{1}, {2}, {0}, {1}, {1}});
+  for (const std::string& id : answer_set.people) answer_set.person_of_session[{id, "a"}] = id;
+  answer_set.factorial.between = "gender";
+  answer_set.worded_questions = {"gender", "hand"};
+  const std::vector<std::string> told = ungrouped_sentences(
+      {parse_csv("participant,session,gender,hand\np0,a,woman,left\np1,b,man,left\n"
+                 "p2,a,woman,left\np2,a,woman,\np3,a,,\n",
+                 "people.csv")},
+      answer_set);
+  const auto holds = [&](const std::string& beginning, const std::string& words) {
+    return std::ranges::any_of(told, [&](const std::string& sentence) {
+      return sentence.starts_with(beginning) && sentence.find(words) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(holds("participants \"p1\", \"p4\" are in no group by \"gender\", \"hand\", because ",
+                    "no row with the id and session"));
+  EXPECT_TRUE(holds("participant \"p2\" is in no group by \"gender\", because ", "several rows"));
+  EXPECT_TRUE(holds("participant \"p3\" is in no group by \"gender\", because ", "not answered"));
+  EXPECT_EQ(told.size(), 3u);
+  const std::vector<std::string> none = ungrouped_sentences({}, answer_set);
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_NE(none[0].find("no groups by \"gender\""), std::string::npos) << none[0];
+}
+
 TEST(BestSeen, NamesTheVideoFarthestTowardsEachEnd) {
   const AnswerSet answer_set = small_study(answers_of_three);
   const std::vector<BestSeen> best = best_seen(answer_set, compare(answer_set));

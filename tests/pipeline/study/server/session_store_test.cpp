@@ -116,32 +116,86 @@ TEST(SessionStore, OverwritesLaterWhatIsErasedOnAFullDisk) {
   EXPECT_FALSE(holds(file, secret));
 }
 
-/// The tables of version 1, which had no ends of sessions.
+/// Makes a file with the tables of version 1, which had no ends of sessions.
+void make_first_version(const std::filesystem::path& file) {
+  Database database(file);
+  database.run(R"(
+    CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
+    CREATE TABLE sessions(number INTEGER PRIMARY KEY, plan INTEGER NOT NULL,
+      participant TEXT NOT NULL UNIQUE, link TEXT NOT NULL UNIQUE,
+      begun_at TEXT NOT NULL DEFAULT '', came_by TEXT NOT NULL DEFAULT '') STRICT;
+    CREATE TABLE records(session INTEGER NOT NULL REFERENCES sessions(number),
+      position INTEGER NOT NULL, name TEXT NOT NULL, content TEXT NOT NULL,
+      kept_at TEXT NOT NULL, PRIMARY KEY(session, position), UNIQUE(session, name))
+      STRICT, WITHOUT ROWID;
+    INSERT INTO sessions(number, plan, participant, link) VALUES(0, 0, 'p001', 'one');
+    INSERT INTO records VALUES(0, 0, 'consent', '{}', 'then');
+    PRAGMA application_id = 1835623790;
+    PRAGMA user_version = 1;)");
+}
+
 TEST(SessionStore, ConvertsFilesOfTheFirstVersion) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "answers.db";
-  {
-    Database database(file);
-    database.run(R"(
-      CREATE TABLE facts(name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT, WITHOUT ROWID;
-      CREATE TABLE sessions(number INTEGER PRIMARY KEY, plan INTEGER NOT NULL,
-        participant TEXT NOT NULL UNIQUE, link TEXT NOT NULL UNIQUE,
-        begun_at TEXT NOT NULL DEFAULT '', came_by TEXT NOT NULL DEFAULT '') STRICT;
-      CREATE TABLE records(session INTEGER NOT NULL REFERENCES sessions(number),
-        position INTEGER NOT NULL, name TEXT NOT NULL, content TEXT NOT NULL,
-        kept_at TEXT NOT NULL, PRIMARY KEY(session, position), UNIQUE(session, name))
-        STRICT, WITHOUT ROWID;
-      INSERT INTO sessions(number, plan, participant, link) VALUES(0, 0, 'p001', 'one');
-      INSERT INTO records VALUES(0, 0, 'consent', '{}', 'then');
-      PRAGMA application_id = 1835623790;
-      PRAGMA user_version = 1;)");
-  }
+  make_first_version(file);
   for (int opened = 0; opened < 2; ++opened) {
     SessionStore store(file);
     EXPECT_EQ(store.records().size(), 1u);
     EXPECT_EQ(store.sessions().at(0).link, "one");
     EXPECT_EQ(store.sessions().at(0).ended, "");
   }
+}
+
+TEST(SessionStore, IsReadWithoutConversion) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "answers.db";
+  make_first_version(file);
+  const std::string before = read_file(file);
+  {
+    SessionStore store(file, DatabaseUse::read);
+    ASSERT_EQ(store.sessions().size(), 1u);
+    EXPECT_EQ(store.sessions()[0].participant, "p001");
+    EXPECT_EQ(store.sessions()[0].ended, "");
+    EXPECT_EQ(store.records_of(0).size(), 1u);
+    EXPECT_THROW(SessionStore(file, DatabaseUse::read), Error) << "it is locked";
+  }
+  EXPECT_EQ(read_file(file), before);
+  EXPECT_FALSE(exists(folder.path() / "answers.db-wal"));
+}
+
+TEST(SessionStore, IsReadWithTheLogOfAKilledServerWhichStays) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "answers.db", copy = folder.path() / "killed.db";
+  const fs::path log = copy.string() + "-wal";
+  {
+    SessionStore store(file);
+    begin_two(store);
+    store.keep(trial(1, 1, "in the log"));
+    fs::copy_file(file, copy);
+    fs::copy_file(file.string() + "-wal", log);
+  }
+  const std::string before = read_file(copy), log_before = read_file(log);
+  EXPECT_EQ(SessionStore(copy, DatabaseUse::read).records_of(1).at(0).content, "in the log");
+  EXPECT_EQ(read_file(copy), before);
+  EXPECT_EQ(read_file(log), log_before);
+  EXPECT_EQ(SessionStore(copy).records().size(), 1u);
+}
+
+TEST(SessionStore, ReadsFilesOfOthersWithoutChange) {
+  const TemporaryFolder folder;
+  const std::filesystem::path empty = folder.path() / "empty.db";
+  std::ofstream(empty).flush();
+  EXPECT_TRUE(SessionStore(empty, DatabaseUse::read).sessions().empty());
+  EXPECT_EQ(read_file(empty), "");
+  const std::filesystem::path other = folder.path() / "other.db";
+  {
+    Database database(other);
+    database.run("PRAGMA journal_mode = DELETE; CREATE TABLE birds(name TEXT)");
+  }
+  const std::string before = read_file(other);
+  EXPECT_THROW(SessionStore(other, DatabaseUse::read), Error);
+  EXPECT_EQ(read_file(other), before);
 }
 
 TEST(SessionStore, IsThereAgainWithAllThatWasKept) {

@@ -1,4 +1,6 @@
 #include <map>
+#include <regex>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -6,6 +8,8 @@
 
 #include "pipeline/base/documents/csv.h"
 #include "pipeline/base/documents/files.h"
+#include "pipeline/base/documents/table.h"
+#include "pipeline/manifest/ratings/answers/answer_row.h"
 #include "pipeline/plot_texts.h"
 #include "pipeline/study/results/figures/result_figures.h"
 #include "pipeline/study/results/report/results_report.h"
@@ -114,6 +118,37 @@ TEST(FactorReport, WritesScriptsWithTheGroupsOfTheReport) {
         << files.at(script);
     EXPECT_EQ(files.at(script).find("happy other"), std::string::npos) << script;
   }
+}
+
+TEST(FactorReport, WritesScriptsThatReadTextsAsTexts) {
+  const std::string script = report_on(two_emotion_study(5)).at("analysis/lme4.R");
+  std::smatch list;
+  ASSERT_TRUE(std::regex_search(script, list, std::regex(R"(texts <- c\(([^)]*)\))")));
+  const std::string texts = list[1];
+  const std::regex quoted("\"([^\"]*)\"");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(texts.begin(), texts.end(), quoted), end; at != end; ++at)
+    names.insert((*at)[1]);
+  for (const std::string& name : names)
+    EXPECT_NE(find_column(answer_form, name), nullptr) << name << " would be a warning in R";
+  for (const char* name : {"stimulus", "item", "kind", "value_raw", "against", "block", "level"})
+    EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_NE(script.find("na.strings = \"\""), std::string::npos) << "\"NA\" is a text";
+}
+
+TEST(FactorReport, WritesScriptsThatMatchGroupsByTheNamesOfTheData) {
+  const std::string script = report_on(planned_study(), gender_of_eight()).at("analysis/afex.R");
+  EXPECT_NE(script.find("match(counted$participant, people$participant)"), std::string::npos);
+}
+
+TEST(FactorReport, WritesScriptsWithOtherNamesForFactorsThatAreCalledLikeColumns) {
+  Manifest manifest = two_emotion_study(5);
+  for (Stimulus& stimulus : manifest.stimuli)
+    for (auto& [factor, level] : stimulus.factors)
+      if (factor == "emotion") factor = "level";
+  manifest.questionnaire->analysis.factorial.factors = {"made", "level"};
+  const std::string script = report_on(manifest).at("analysis/lme4.R");
+  EXPECT_NE(script.find("value ~ made * level_ + "), std::string::npos) << script;
 }
 
 TEST(FactorReport, WritesNoRandomStimuliWhereEachCellHasOne) {

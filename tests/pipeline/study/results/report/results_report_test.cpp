@@ -47,7 +47,8 @@ Reported reported_study(bool simulated = true) {
   reported.rows[0].comment = "<script>alert('x')</script> & \"tired\", 疲れた";
   ParticipantTable people{
       parse_csv("participant,session,design,consented_at,finished,age,gender\n"
-                "p001,s,d,,1,20,woman\np002,s,d,,1,30,man\np003,s,d,,1,40,woman\n",
+                "p001,simulated,d,,1,20,woman\np002,simulated,d,,1,30,man\n"
+                "p003,simulated,d,,1,40,woman\n",
                 "participants.csv")};
   reported.results = results_of(collect_answers(manifest, reported.rows), reported.rows, people);
   return reported;
@@ -169,9 +170,10 @@ TEST(ResultsReport, WritesNothingElsewhereWhateverItsTablesName) {
   Reported reported;
   reported.rows = planted_answers(manifest, answers_to(manifest), name, planted);
   EXPECT_GT(planted, 3) << "participant, session, comment and design may be any text";
-  CsvTable people = parse_csv("participant,session,design,consented_at,finished,gender,a\n" + name +
-                                  ",s,d,,1," + name + "," + name + "\np002,s,d,,1,man,b\n",
-                              "participants.csv");
+  CsvTable people =
+      parse_csv("participant,session,design,consented_at,finished,gender,a\n" + name + "," + name +
+                    ",d,,1," + name + "," + name + "\np002,simulated,d,,1,man,b\n",
+                "participants.csv");
   people.header.back().text = name;
   reported.results = results_of(collect_answers(manifest, reported.rows), reported.rows, {people});
   write_report(reported, {}, report);
@@ -222,7 +224,7 @@ TEST(ResultsReport, NamesFiguresOfActorsAndGenderWhereThereAreTwo) {
   const std::vector<AnswerRow> rows = answers_to(manifest);
   std::string table = "participant,session,gender\n";
   for (int i = 1; i <= 12; ++i)
-    table += fmt::format("p{:03},s,{}\n", i, i % 2 == 0 ? "woman" : "man");
+    table += fmt::format("p{:03},simulated,{}\n", i, i % 2 == 0 ? "woman" : "man");
   const auto files = written_report(
       {results_of(collect_answers(manifest, rows), rows, {parse_csv(table, "participants.csv")}),
        rows});
@@ -498,6 +500,35 @@ TEST(ResultsReport, KeepsAnswersThatGoBackInAsRatings) {
   EXPECT_TRUE(answers.simulated);
 }
 
+TEST(ResultsReport, NamesParticipantsAlikeInAllOfItsData) {
+  const Manifest manifest = two_emotion_study(3);
+  Reported reported;
+  reported.rows = answers_to(manifest);
+  for (std::size_t i = 0, own = reported.rows.size(); i < own; ++i) {
+    if (reported.rows[i].participant != "p001") continue;
+    reported.rows.push_back(reported.rows[i]);
+    reported.rows.back().session = "other";
+  }
+  const ParticipantTable people{
+      parse_csv("participant,session,age\np001,simulated,20\np001,other,30\np002,simulated,40\n"
+                "p002,left,50\np003,simulated,60\n",
+                "participants.csv")};
+  reported.results = results_of(collect_answers(manifest, reported.rows), reported.rows, people);
+  const auto files = written_report(reported);
+  const DatasetPaths paths = dataset_paths("two-emotions");
+  const auto names_in = [&](const std::string& path) {
+    const CsvTable table = parse_csv(files.at(path), path);
+    const auto column = static_cast<std::size_t>(require_column(table, "participant"));
+    std::set<std::string> names;
+    for (const auto& row : table.rows) names.insert(row[column].text);
+    return names;
+  };
+  std::set<std::string> known = {"p001/other", "p001/simulated", "p002", "p003"};
+  EXPECT_EQ(names_in(paths.answers), known);
+  known.insert("p002/left");  // gave no answers
+  EXPECT_EQ(names_in(paths.participants), known);
+}
+
 TEST(ResultsReport, FindsWhatWasPutIn) {
   const Reported reported = reported_study();
   int found = 0;
@@ -518,6 +549,19 @@ TEST(Demographics, AreMeansOfNumbersAndCountsOfWords) {
   EXPECT_EQ(all[4].answer, "man");
   EXPECT_EQ(all[5].value, 2.0);
   EXPECT_EQ(all[5].people, 3);
+}
+
+TEST(Demographics, AreOfTheSessionsThatGaveTheAnswers) {
+  const Manifest manifest = two_emotion_study(2);
+  const ParticipantTable people{
+      parse_csv("participant,session,age\np001,simulated,20\np001,left,50\np002,simulated,30\n"
+                "p002,simulated,30\n",
+                "participants.csv")};
+  const auto all = demographics_of(people, collect_answers(manifest, answers_to(manifest)));
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].answer, "mean");
+  EXPECT_DOUBLE_EQ(all[0].value, 25.0);
+  EXPECT_EQ(all[0].people, 2);
 }
 
 TEST(Demographics, OfTextsAreCountedEvenWhereTheyAreDigits) {
