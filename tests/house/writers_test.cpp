@@ -13,12 +13,14 @@ namespace fs = std::filesystem;
 
 /// Sources that open files for writing themselves, each for a reason: the writer of all results;
 /// what other libraries write, into drafts and a store's attempts; what is appended to or taken by
-/// one process alone; and a stream of frames, into a draft.
+/// one process alone; a stream of frames, into a draft; and an empty file that tells the time of a
+/// file server.
 const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "render/image/png_file.cpp",
                                        "pipeline/tasks/claim.cpp",
                                        "pipeline/tasks/frame_store.cpp",
                                        "pipeline/farm/jobs/submission_journal.cpp",
+                                       "pipeline/farm/jobs/worker_reports.cpp",
                                        "pipeline/study/studio/open_browser.cpp",
                                        "pipeline/commands/motion/live_stream.h"};
 
