@@ -185,13 +185,16 @@ TEST_F(RegressStudy, SeesWhatVideosShowAroundFilmsAndOnOverlays) {
                        "overlays:\n  - {id: both, target: blend, created: file, opacity: " +
                        opacity + "}\n");
   };
-  const auto run = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "regress");
-    arguments.insert(arguments.end(), {manifest().string(), "--out", out()});
+  const auto run = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"regress", manifest().string(), "--out", out()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
     return run_mien(arguments);
   };
   write("0.4", "0.6", "[gif]");
-  ASSERT_EQ(run({"approve", "--reason", "it is right"}).code, 0);
+  ASSERT_EQ(run_mien({"regress", "approve", manifest().string(), "--out", out(), "--reason",
+                      "it is right"})
+                .code,
+            0);
   EXPECT_EQ(run({}).code, 0);
   write("0.25", "0.6", "[gif]");
   const Ended presented = run({});

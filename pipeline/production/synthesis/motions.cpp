@@ -6,6 +6,7 @@
 
 #include "motion/examples/flight_examples.h"
 #include "motion/examples/settled_feet.h"
+#include "motion/gait/contact.h"
 #include "pipeline/manifest/people.h"
 #include "pipeline/manifest/recording_files.h"
 #include "pipeline/production/clips/people_clips.h"
