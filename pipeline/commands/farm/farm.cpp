@@ -12,11 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path absolute_path(const fs::path& path) {
-  const fs::path whole = fs::absolute(path).lexically_normal();
-  return whole.has_filename() ? whole : whole.parent_path();
-}
-
 ProductionOptions production_options(const FarmArguments& arguments) {
   ProductionArguments all;
   all.manifest = arguments.manifest;
@@ -26,6 +21,11 @@ ProductionOptions production_options(const FarmArguments& arguments) {
 }
 
 }  // namespace
+
+fs::path absolute_path(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
 
 std::vector<CommandOption> farm_options(FarmArguments& arguments) {
   return {argument("manifest", &arguments.manifest,

@@ -19,6 +19,9 @@ struct FarmArguments {
 /// The argument for the manifest and the options --out and --quality.
 std::vector<CommandOption> farm_options(FarmArguments& arguments);
 
+/// The path from the root, normalised, without a slash at its end.
+std::filesystem::path absolute_path(const std::filesystem::path& path);
+
 /// The manifest of a farm command.
 struct FarmManifest {
   /// Reads the manifest. Throws Faults if it is invalid.
