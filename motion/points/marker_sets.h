@@ -100,7 +100,7 @@ struct MarkerSet {
 /// are recognised in every set. The table of names is in marker_names.cpp.
 ///
 /// Joints by the names of a rig ("LeftUpLeg", "UpperLeg_L") are a set as well, "joints of a rig",
-/// if they tell more points than every set of the table (rig_joint_roles.h).
+/// if that identifies more points than any set of the table (rig_joint_roles.h).
 ///
 /// A name is not enough: a set is recognised if four of its names are there.
 MarkerSet recognised_marker_set(std::span<const std::string> points);

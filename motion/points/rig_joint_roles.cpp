@@ -45,9 +45,8 @@ class RigJoints {
   bool give_limbs(JointWord::Side side) {
     const bool has_arm = give(side, upper_arm_words, shoulder);
     const bool has_forearm = give(side, forearm_words, elbow);
-    if (has_arm) give(side, shoulder_words, clavicle);
+    if (!give(side, clavicle_words, clavicle) && has_arm) give(side, shoulder_words, clavicle);
     const bool has_shoulder = has_arm || give(side, shoulder_words, shoulder);
-    give(side, clavicle_words, clavicle);
     constexpr std::string_view wrist_word[] = {"wrist"};
     if (!give(side, wrist_word, wrist)) give(side, hand_words, wrist);
     give(side, hand_words, hand);

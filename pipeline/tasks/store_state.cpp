@@ -56,7 +56,7 @@ std::optional<std::uint64_t> disk_of(const fs::path& folder) {
   return status.st_dev;
 }
 
-/// What lies in the place of a folder that is to be published, without the files of the folder that
+/// What is in the place of a folder that is to be published, without the files of the folder that
 /// was published there before and of the next one.
 std::vector<fs::path> foreign_entries(const fs::path& folder, const Receipt& next) {
   std::set<std::string> own;

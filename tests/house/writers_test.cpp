@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 /// Sources that open files for writing themselves, each for a reason: the writer of all results;
 /// what other libraries write, into drafts and a store's attempts; what is appended to or taken by
-/// one process alone; a stream of frames, into a draft; and an empty file that tells the time of a
+/// one process alone; a stream of frames, into a draft; and a file whose time is that of a
 /// file server.
 const std::set<std::string> writers = {"motion/text/result_file.cpp",
                                        "render/image/png_file.cpp",

@@ -45,13 +45,13 @@ Directions directions_of(const Vec3& forward) {
   return {forward, Vec3::UnitY().cross(forward), Vec3::UnitY()};
 }
 
-/// The line of travel towards where the body faces: against the travel of someone who walks
-/// backwards.
+/// The direction of travel; its opposite for someone who walks backwards, whose body faces more
+/// than 120° away from it.
 Vec3 front_of(const Clip& clip) {
   const Vec3 travel = mean_direction(clip);
   Vec3 facing = Vec3::Zero();
   for (const Pose& pose : clip.poses) facing += pose.rotations[Pelvis] * Vec3::UnitZ();
-  return facing.dot(travel) < 0.0 ? Vec3(-travel) : travel;
+  return facing.dot(travel) < -0.5 * facing.norm() ? Vec3(-travel) : travel;
 }
 
 /// One cycle, evenly sampled.

@@ -70,7 +70,7 @@ std::string chosen_person(const motion::Recording& recording);
 void refuse_own_input(const std::string& input, const std::string& written);
 
 /// Throws Error if the motion file to be written, or a file beside it (written_files), is one of
-/// the input files or lies beside one of them as such a file. Empty paths are ignored.
+/// the input files or belongs beside one of them. Empty paths are ignored.
 void refuse_own_inputs(const std::vector<std::filesystem::path>& inputs,
                        const std::filesystem::path& out);
 

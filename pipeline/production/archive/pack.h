@@ -67,7 +67,7 @@ std::string bag_info_text(const StudyContents& contents, const std::vector<Paylo
 std::string bag_manifest_line(const std::string& sha256, const std::string& path);
 
 /// Paths of the artifacts in a study's folder that an earlier run made and the study no longer has,
-/// sorted. Its provenance tells nothing about them: not even whether they may be shared.
+/// sorted. Nothing is known about them, not even whether they may be shared.
 std::vector<std::string> stale_in_study(const StudyContents& contents);
 
 /// Paths with characters that the manifest of a bag encodes: sha256sum cannot find these files.

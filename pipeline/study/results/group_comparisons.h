@@ -19,7 +19,7 @@ struct ParticipantGroups {
   std::vector<std::size_t> people_one, people_other;
 };
 
-/// Included participants by their answer to a question, with the rows that people_of_rows tells;
+/// Included participants by their answer to a question, with their rows (people_of_rows);
 /// those for whom several rows have answers to the question are omitted, even if the answers are
 /// equal. Empty if the table has no such column.
 std::map<std::string, std::vector<std::size_t>> people_by_answer(

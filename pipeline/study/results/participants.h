@@ -65,7 +65,7 @@ struct DemographicSummary {
   bool is_count = false;  ///< `value` is a frequency
 };
 
-/// Whose the rows are is told by people_of_rows. A participant with several rows counts once if
+/// Rows belong to participants as in people_of_rows. A participant with several rows counts once if
 /// their answers are equal, and not at all if they differ.
 std::vector<DemographicSummary> demographics_of(const ParticipantTable& participants,
                                                 const AnswerSet& answer_set);

@@ -39,7 +39,7 @@ class RowOwners {
   }
 
  private:
-  /// What the answers with an id tell.
+  /// What is known of an id from the answers.
   struct AnsweredId {
     bool is_separated = false;
     bool lacks_session = false;

@@ -110,7 +110,7 @@ std::string left_out_html(const Results& results) {
 }
 
 constexpr char method[] =
-    "Analysis of variance of each scale, with all factors within participants, of the "
+    "Analysis of variance of each scale, with {}, of the "
     "participants’ means of each cell (type III sums of squares). Each effect is tested with its "
     "own error term; p is corrected for departures from sphericity by Greenhouse and Geisser’s ε, "
     "with which the degrees of freedom are multiplied, and then for multiple comparisons over all "
@@ -136,10 +136,15 @@ bool has_random_stimuli(const Results& results) {
 }
 
 std::string method_text(const Results& results) {
-  return fmt::format(method, has_random_stimuli(results)
-                                 ? "and stimuli"
-                                 : "(each cell of the design has one video, which cannot be told "
-                                   "apart from the cell)");
+  const std::string& between = results.effects.between;
+  return fmt::format(method,
+                     between.empty() ? "all factors within participants"
+                                     : "the factors of the videos within participants and " +
+                                           between + " between them",
+                     has_random_stimuli(results)
+                         ? "and stimuli"
+                         : "(each cell of the design has one video, which cannot be told apart "
+                           "from the cell)");
 }
 
 std::string contrast_method_text(const Results& results, bool are_planned) {

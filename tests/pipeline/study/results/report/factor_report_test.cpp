@@ -106,6 +106,8 @@ TEST(FactorReport, WritesScriptsWithTheFactorsAndContrastsOfTheReport) {
   const std::string& page = files.at("report.html");
   EXPECT_NE(page.find("<h3>Planned contrasts</h3>"), std::string::npos);
   EXPECT_NE(page.find("gender × made × emotion"), std::string::npos);
+  EXPECT_NE(page.find("with the factors of the videos within participants and gender between them"),
+            std::string::npos);
   EXPECT_NE(page.find("analysis/afex.R"), std::string::npos);
 }
 
